@@ -19,7 +19,8 @@ const DEFAULT_DIGITS: usize = 6;
 /// If smaller, an exact 4 N that was computed as 4.00000001 N is written as 4.00001 N. If larger, a written limit exceeds the computed one by more.
 const ROUNDING: f64 = 1e-8;
 
-/// Added to a formatter's precision to mark an answer as planar, although its vectors have three components. It exceeds every number of digits.
+/// Added to a formatter's precision to mark an answer as planar, although its vectors have three components. This number exceeds every number of
+/// digits.
 const IN_THE_PLANE: usize = 1 << 14;
 
 /// Factor by which the index in [`UNITS`] of the unit of lengths is multiplied in a formatter's precision, which also holds the number of digits.

@@ -1,7 +1,7 @@
-//! The trial of an amount (such as a squeeze) under a force of any direction. It has a closed form while everything sticks; otherwise many directions
-//! are tried one by one. The carried part of the load is the load factor up to which the load is held; below 1 the load is lost. The weakest
-//! direction is the one in which the smallest part is carried; a jump is a sudden motion of the object under constant load. An amount is sufficient
-//! if the grasp meets the demand with it.
+//! The trial of an amount (such as a squeeze) under a force of any direction. While everything sticks the result has a closed form; otherwise many
+//! directions are tried one by one. The carried part of the load is the load factor up to which the load is held; below 1 the load is lost. The
+//! weakest direction is the one in which the smallest part is carried; a jump is a sudden motion of the object under constant load. An amount is
+//! sufficient if the grasp meets the demand with it.
 
 use super::loading::{Loading, force_at};
 use super::question::Demand;
@@ -294,9 +294,9 @@ impl Loading {
     }
 
     /// Searches near `direction` for the direction in which the smallest part of the load is carried, and returns it with its trial. `weakest` is the
-    /// trial of `direction`. The search moves to a neighbouring direction with a smaller carried part; if there is none, the step (rad) is halved. It
-    /// ends once the whole load is carried in all directions between the neighbours. This conclusion assumes that the forces carried in all
-    /// directions form a convex set, which is not proved where contacts slide.
+    /// trial of `direction`. The search moves to a neighbouring direction with a smaller carried part; if there is none, the step (rad) is halved.
+    /// The search ends once the whole load is carried in all directions between the neighbours. This conclusion assumes that the forces carried in
+    /// all directions form a convex set, which is not proved where contacts slide.
     fn weakest_near(
         &self,
         (mut direction, mut step): ([f64; 3], f64),
@@ -340,17 +340,17 @@ type Along<'a> = &'a (dyn Fn([f64; 3]) -> Ramp<3> + Sync);
 /// Number of directions that are tried at once, in parallel. The trials of one such group follow the load equally far.
 const AT_ONCE: usize = 8;
 
-/// First step of the search for the weakest direction, if it starts from the direction that was weakest with another amount. It is given as a
-/// fraction of the first step from an evenly spread direction. If smaller, the search takes more steps to follow the weakest direction from amount to
-/// amount; if larger, it halves the step more often.
+/// First step of the search for the weakest direction if it starts from a direction that was weakest with another amount, as a fraction of the first
+/// step from an evenly spread direction. If smaller, the search takes more steps to follow the weakest direction from amount to amount; if larger, it
+/// halves the step more often.
 const A_LITTLE: f64 = 0.125;
 
 /// Directions closer to each other than this angle, rad, are not tried. The carried parts of the load within this angle differ by less than 1e-6,
 /// unless they jump.
 const LAST_STEP: f64 = 1e-3;
 
-/// The smaller value of [`LAST_STEP`] at a jump of the carried part, rad. It is used if less than 1 % more than the load is carried. If larger,
-/// directions in which the load is lost stay unseen within this angle.
+/// At a jump of the carried part of the load this angle, rad, replaces [`LAST_STEP`] if at most about 1 % more than the whole load is carried. If
+/// larger, directions in which the load is lost stay unseen within this angle.
 const LAST_STEP_AT_A_JUMP: f64 = 1e-8;
 
 /// The weakest direction is sought near directions in which a smaller part of the load is carried than in their neighbours. This is the upper limit

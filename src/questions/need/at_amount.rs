@@ -13,7 +13,8 @@ use crate::prelude::*;
 use crate::squeeze::{Loads, WeakestDirection};
 
 impl<const C: usize> Grasp<C> {
-    /// This grasp with an amount set, and its equilibrium under the load of the [need](Self::need) that uses most of its friction.
+    /// This grasp with an amount set, and its equilibrium under that load of the [need](Self::need) under which a contact uses the largest fraction
+    /// of its friction.
     ///
     /// The amount is in the unit of the sought [`Quantity`](super::Quantity); it may be the [`Amount::bound`](super::Amount::bound) of an answer. The
     /// use of friction is the largest `|f_t| / (|f_t| + margin)` of closed contacts, with the friction force f_t and the friction margin

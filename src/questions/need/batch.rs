@@ -58,12 +58,12 @@ impl From<&Amount> for ShortAmount {
 
 impl<const C: usize> Grasp<C> {
     /// The squeeze that each of many grasps needs for its own load, or the multiple of its load that it carries, on all cores. The amounts are those
-    /// of [`Self::need`], without sentences, further intervals of sufficient amounts, and safe amounts.
+    /// of [`Self::need`]; sentences, further intervals of sufficient amounts, and safe amounts are left out.
     ///
     /// The quantity is [`Quantity::Squeeze`] or [`Quantity::Load`], the demand that everything [sticks](Demand::Sticks) or that the object is
     /// [held](Demand::Held). A row is one grasp with its load. If everything must stick, a row takes a few microseconds; if the object must be held,
-    /// one load path up to the loss. Any other row takes as long as [`Self::need`]. The amounts agree with those of [`Self::need`] up to the step
-    /// error along parts of load paths on which directions of slip turn.
+    /// it takes as long as one load path up to the loss. Any other row takes as long as [`Self::need`]. The amounts agree with those of
+    /// [`Self::need`] up to the step error along parts of load paths on which directions of slip turn.
     ///
     /// The amounts are in the order of the rows, with the same bits for any number of threads. An error in one row does not stop the other rows.
     ///

@@ -211,9 +211,9 @@ fn beyond_the_sufficient(sufficient: f64, is_least: bool, known: &[(f64, Trial)]
     Some([last, beyond[first].0])
 }
 
-/// The last sufficient amount on the easier side (more squeeze, less load) of the bound `sufficient`, and its insufficient neighbour. It is expected
-/// between the two amounts `far`, which are tried in turn. For a safe amount, `far` has the far end and its insufficient neighbour that were found
-/// with friction, squeeze and loads as given. `None` if neither of the two is insufficient, or if a verdict is undecided.
+/// The last sufficient amount on the easier side (more squeeze, less load) of the bound `sufficient`, and its insufficient neighbour. This far end is
+/// expected between the two amounts `far`, which are tried in turn. For a safe amount, `far` has the far end and its insufficient neighbour that were
+/// found with friction, squeeze and loads as given. `None` if neither of the two is insufficient, or if a verdict is undecided.
 fn far_end_near(
     far: [f64; 2],
     sufficient: f64,

@@ -128,8 +128,8 @@ impl Loading {
         self
     }
 
-    /// This loading with trials that skip the enumeration of contact states at rest. Searches for an equilibrium at rest begin near these contact
-    /// states.
+    /// This loading with trials that skip the enumeration of contact states at rest. Searches for an equilibrium at rest begin near the contact
+    /// states `near`.
     pub(super) fn quick(mut self, near: Vec<State>) -> Self {
         self.extent = VerdictScope::Decided;
         self.grasp = self.grasp.with(&Settings { is_quick: true, ..*self.grasp.settings() });
@@ -139,8 +139,8 @@ impl Loading {
         self
     }
 
-    /// Determines whether the grasp meets the demand with this amount. The load or directions in `refuting`, with which earlier amounts were
-    /// insufficient, are applied first. A load that is not carried, or else the load carried least, is noted in `refuting`.
+    /// Determines whether the grasp meets the demand with this amount. The load or directions with which earlier amounts were insufficient, stored in
+    /// `refuting`, are applied first. A load that is not carried, or else the load carried least, is stored in `refuting`.
     pub(super) fn put_on(&self, demand: Demand, refuting: &RefutingLoads) -> Result<Trials, Error> {
         if let Some(refused) = &self.refused {
             return Ok(Trials::only(demand, Trial::insufficient(refused, NOT_AT_REST)));

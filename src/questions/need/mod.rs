@@ -1,8 +1,8 @@
 //! The amount of a quantity that a grasp needs: the least squeeze or friction, or the greatest load, arm or angle, with which nothing slides, or with
 //! which the object is held.
 //!
-//! A [`Need`] names the sought quantity and the loads; [`Grasp::need`](crate::ask::Grasp::need) answers with a [`Needed`]. Its sentence has the units
-//! of practice: newtons at each jaw, a coefficient of friction, metres, degrees.
+//! A [`Need`] names the sought quantity and the loads; [`Grasp::need`](crate::ask::Grasp::need) answers with a [`Needed`]. The sentence of this
+//! answer has the units of practice: newtons at each jaw, a coefficient of friction, metres, degrees.
 //!
 //! | sought | bound | unit of [`Amount`] |
 //! |---|---|---|

@@ -223,8 +223,8 @@ impl Narrowing {
         signs_differ(&self.sides, self.which).map(|[over, under]| over - under)
     }
 
-    /// Uses the measure with the index `which` (0: carried part of the load less 1; 1: second margin). It is watched for a jump from the present
-    /// width on.
+    /// Uses the measure with the index `which` (0: carried part of the load less 1; 1: second margin). The measure is watched for a jump from the
+    /// present width of the bracket on.
     fn watch(&mut self, which: usize) {
         self.which = which;
         self.at_first = (self.width(), self.fall());
@@ -377,8 +377,8 @@ fn signs_differ(sides: &[BracketEnd; 2], which: usize) -> Option<[f64; 2]> {
 /// bound than necessary.
 const APART_WHERE_HARD: [f64; 3] = [1e-4, 1e-3, 1e-1];
 
-/// The width at which a bracket is narrow enough while weaker directions of a force are found. If narrower, trials are spent on directions that do
-/// not change the answer; if wider, the width shows in the answer.
+/// The width at which a bracket is narrow enough while full trials still find weaker directions of a force. If narrower, trials are spent on
+/// directions that do not change the answer; if wider, the width shows in the answer.
 const WHERE_DIRECTIONS_ARE_FOUND: WidthSchedule = &[(0, AT_A_JUMP)];
 
 /// Relative distances from the bound at which full trials are made in the plane, and in space if quick trials next to the bound are decided. The

@@ -13,9 +13,9 @@ use super::threshold::WidthSchedule;
 
 /// Two amounts at this relative distance differ by rounding alone.
 ///
-/// An amount next to an estimate of the bound is tried at this distance from it, on the far side. One such trial from either side gives a bracket
-/// within [`EXACT`]. An end of the range is final once it moves by less. If smaller, rounding determines on which side of the bound the trial is.
-/// From 5e-13 on, the bracket needs more trials.
+/// The search estimates the bound from both sides. Each time it tries an amount at this distance beyond the estimate; two such trials leave a bracket
+/// within [`EXACT`]. The search for an end of the range stops once a step moves the end by less than this distance. If smaller, rounding determines
+/// on which side of the bound the trial is. From 5e-13 on, the bracket needs more trials.
 pub(super) const LAST_DIGITS: f64 = 1e-13;
 
 /// The search for the least coefficient of friction ends at an interval of this relative width.
@@ -50,8 +50,8 @@ pub(super) const NEAR_DOUBLINGS: u32 = 4;
 /// If smaller, amounts that only narrow a bracket are counted as well, and the tried amounts seem closer together than they are.
 pub(super) const APART_IN_A_SCAN: f64 = 1e-2;
 
-/// The relative widths at which the bracket of the sought amount is narrow enough, as a schedule of steps and widths. They leave only digits that are
-/// due to rounding.
+/// The relative widths at which the bracket of the sought amount is narrow enough, as a schedule of steps and widths. A bracket of such a width
+/// leaves open only digits that are due to rounding.
 ///
 /// If narrower, further steps depend on rounding only. If wider, the width shows in the answer.
 pub(super) const EXACT: WidthSchedule = &[(0, 1e-12), (64, 5e-10)];
@@ -91,7 +91,7 @@ pub(super) const BETWEEN_STATES: f64 = 1.05;
 
 /// After a scan, two margins are extrapolated linearly from neighbouring sufficient amounts: the carried part of the load less 1, and the distance to
 /// the limit of small motions or of sticking at rest. If a margin is predicted to be zero at an amount x before the next sufficient amount, an amount
-/// beyond x is tried. It lies at this fraction of the way from x to that next amount.
+/// beyond x is tried. The tried amount lies at this fraction of the way from x to that next amount.
 ///
 /// If smaller, rounding or a curved margin may hide insufficient amounts beyond x. If larger, a narrow interval of insufficient amounts is stepped
 /// over.

@@ -82,7 +82,7 @@ impl Trial {
     }
 
     /// A number by which insufficient amounts are compared: the carried multiple of the load. If the object moves too far already at rest, the number
-    /// is between -1 and 0, and larger the nearer it is to small motions.
+    /// is between -1 and 0; it grows as the motions come closer to their limits.
     pub(super) fn nearness(&self) -> Option<f64> {
         match self {
             Self::Insufficient { carried, other, is_too_far: true, .. }

@@ -248,7 +248,8 @@ impl Needed {
         limit.map_or(Ok(()), |limit| write!(f, "{LINE}there, at rest, {limit}"))
     }
 
-    /// Writes the amount with which nothing slides, after the amounts with which the object is held: from `sufficient` to `held_until`.
+    /// Writes the amount with which nothing slides. Before it, the sentence names the amounts with which the object is held: from `sufficient` to
+    /// `held_until`.
     fn beside(
         &self,
         f: &mut fmt::Formatter<'_>,

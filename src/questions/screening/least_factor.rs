@@ -119,13 +119,13 @@ impl<X: Packed> Margin<X> {
 pub(super) struct LeastFactor<X: Packed> {
     /// The largest lower end of the intervals of factors of all contacts and loads, as computed.
     first: X,
-    /// The lower error bound of `first`, the largest lower end of the intervals of factors.
+    /// Lower error bound of `first`, the largest lower end of the intervals of factors.
     first_sure: X,
-    /// The upper error bound of `first`, the largest lower end of the intervals of factors.
+    /// Upper error bound of `first`, the largest lower end of the intervals of factors.
     first_most: X,
-    /// The lower error bound of the least upper end of the intervals of factors of all contacts and loads.
+    /// Lower error bound of the smallest upper end of the intervals of factors of all contacts and loads.
     last_sure: X,
-    /// The upper error bound of the least upper end of the intervals of factors of all contacts and loads.
+    /// Upper error bound of the smallest upper end of the intervals of factors of all contacts and loads.
     last_most: X,
     /// Positive if rounding determines whether some margin is negative, or forces do not balance, so that the answer is unclear.
     doubt: X,

@@ -226,7 +226,8 @@ impl<X: Packed> Pair<X> {
         (forces.unbalanced, forces.free) = (X::all(0.0), X::all(0.0));
     }
 
-    /// Writes the contact forces due to commands alone, along the line through both contacts. The commands are those of the block, or `others`.
+    /// Writes the contact forces due to commands alone, without a load; they act along the line through both contacts. The commands are `others` or,
+    /// if `None`, those of the grasps in this block, less clearances.
     #[inline(always)]
     fn squeezed<const C: usize>(
         &self,

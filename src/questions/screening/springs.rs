@@ -75,8 +75,8 @@ impl<const C: usize, X: Packed> StickingSprings<C, X> {
         }
     }
 
-    /// Computes the contact forces that commands alone cause, without a load on the object. The commands are `others`, or else the commands of the
-    /// grasps in this block, less clearances.
+    /// Computes the contact forces due to commands alone, without a load. The commands are `others` or, if `None`, those of the grasps in this block,
+    /// less clearances.
     pub(super) fn squeeze<V: Vectors>(
         &self,
         v: V,

@@ -158,7 +158,8 @@ impl<const C: usize, X: Packed> Triangle<C, X> {
         stiffness * commands
     }
 
-    /// Writes the contact forces that commands alone cause: the commands of the grasps in this block or, if given, `others`.
+    /// Writes the contact forces due to commands alone, without a load. The commands are `others` or, if `None`, those of the grasps in this block,
+    /// less clearances.
     #[inline(always)]
     fn squeezed(
         &self,

@@ -65,9 +65,9 @@ impl PerturbedGrasp {
         numbered(PROBES, &probe)
     }
 
-    /// For each facet of a contact, the joint effect of all data errors on the contact force. This is the exact change less the sum of the changes
-    /// due to single errors, at the facet's point of failure under a load. Zero for facets whose failure probability is below `rare`; an empty list
-    /// without uncertain data. `probes` are those of [`Self::probes`] under the same load.
+    /// For each facet of a contact, the interaction of all data errors in the contact force: the exact change of the force less the sum of the
+    /// changes due to single errors, at the facet's point of failure under a load. Zero for facets whose failure probability is below `rare`; an
+    /// empty list without uncertain data. `probes` are those of [`Self::probes`] under the same load.
     pub(super) fn of_facets<'p>(
         &self,
         (i, edges): (usize, &Edges),

@@ -99,8 +99,8 @@ mod tests {
         assert!(first_order < 0.9 * exact, "{first_order}");
     }
 
-    /// The friction force is 2 + z₁ + c z₂², with the errors z₁ and z₂ of two data in standard deviations. Its limit is 5. The margin is zero where
-    /// `z₁ + c z₂² = 3`.
+    /// The friction force is 2 + z₁ + c z₂², with the errors z₁ and z₂ of two data in standard deviations. The limit of the friction force is 5. The
+    /// margin is zero where `z₁ + c z₂² = 3`.
     #[test]
     fn a_datum_curves_a_margin() {
         for curved in [-0.1, 0.05, 0.1] {

@@ -23,8 +23,8 @@ use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::numerics::{Each, IntoList, dot, largest, normal_tail};
 use crate::prelude::*;
 
-/// The joint effects of the data's errors (mixed second derivatives) are computed at the errors with which a margin vanishes. These errors depend on
-/// the joint effects in turn. Therefore both are computed this many times, the first time without joint effects.
+/// The interactions of the errors of data are computed at the smallest errors with which a margin vanishes. These errors depend on the interactions
+/// in turn. Therefore both are computed this number of times, the first time without interactions.
 const ROUNDS: usize = 2;
 
 /// For each contact or drive and each of its facets, the interaction of the errors of all data.
@@ -119,8 +119,8 @@ impl StuckGrasp {
         (1.0 - NEGLECTED_SHARE) * normal_tail(self.sigmas)
     }
 
-    /// The joint effects at the errors with which margins vanish, under the base load and, if given, a further load. These errors are computed with
-    /// the joint effects `before` of the previous round.
+    /// The interactions of the errors of data, at the smallest errors with which margins vanish, under the base load and, if given, a further load.
+    /// These errors are computed with the interactions `before` of the previous round.
     fn joint(&self, more: Option<AddedLoad<'_>>, before: &Interactions) -> Interactions {
         let load = more.map_or(self.base_load, |more| self.base_load + *more.direction * more.factor);
         let mut memory = Vec::new();
@@ -160,8 +160,8 @@ impl StuckGrasp {
         // A search with forces linearised in the data gives the starting value of the load factor.
         let guess = root(&roughly, (start, f64::NAN), far * start, 1e-3);
         let guess = if guess > 0.0 && guess.is_finite() { guess } else { start };
-        // The first secant step needs the derivative of the reliability with respect to the load factor. It is a difference quotient over this
-        // relative step of the load factor.
+        // The first secant step needs the derivative of the reliability with respect to the load factor. This derivative is approximated by a
+        // difference quotient over this relative step of the load factor.
         let apart = 1e-3;
         let slope = (roughly((1.0 + apart) * guess) - roughly(guess)) / (apart * guess);
         let (mut most, mut joint) = (guess, self.joint_at_base.clone());
