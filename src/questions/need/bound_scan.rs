@@ -64,10 +64,11 @@ impl SearchPlan {
 }
 
 impl BoundScan {
-    /// Tries `scan` new amounts, half of them on each side of a bound of the sufficient amounts, within the range in which contact forces can balance
-    /// the loads. The amounts in `known` are included. One more amount, 16 times as large or as small as the bound, is tried on the harder side (less
-    /// squeeze, more load), and on the easier side if `far`. Nothing is tried if `plan.is_monotone`: every easier amount than a sufficient one is
-    /// then sufficient, too.
+    /// Tries amounts on both sides of a bound of the sufficient amounts, within the range in which contact forces can balance the loads. `scan` of
+    /// these amounts are new, half of them on each side; the amounts in `known` are included. One more amount, 16 times as large or as small as the
+    /// bound, is tried on the harder side (less squeeze, more load), and on the easier side if `far`. On the easier side amounts at the proved end of
+    /// the range are tried, too, and amounts beyond the first amount of the search ([`NEAR_THE_START`], [`TOWARDS_ZERO`]). Nothing is tried if
+    /// `plan.is_monotone`: every easier amount than a sufficient one is then sufficient, too.
     pub(super) fn of(
         bound: &Threshold,
         scan: usize,
