@@ -11,8 +11,8 @@ thread_local! {
     static SPACE: Cell<Option<Space>> = const { Cell::new(None) };
 }
 
-/// The space to which rows and wrenches with `C` axes belong, in the text that this thread reads or writes. Three axes may belong to either space; it
-/// is then the space that [`in_text_of`] has set for this thread.
+/// The space to which rows and wrenches with `C` axes belong, in the text that this thread reads or writes. Three axes may belong to either space;
+/// the result is then the space that [`in_text_of`] has set for this thread.
 pub(crate) fn space_of_text<const C: usize>() -> Space {
     let own = Space::of::<C>();
     if own == Space::Spatial { SPACE.get().unwrap_or(own) } else { own }

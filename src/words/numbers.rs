@@ -1,4 +1,5 @@
-//! Numbers with their units, and directions.
+//! Numbers with their units, and directions. The only number that a format string passes to the `Display` of an answer is the precision. Therefore a
+//! [`Words`] is passed on as one number, a formatter's precision: the digits, plus codes for the unit of lengths and for the plane.
 
 use core::fmt;
 
@@ -13,12 +14,13 @@ use crate::prelude::*;
 /// Default number of significant digits.
 const DEFAULT_DIGITS: usize = 6;
 
-/// A number that exceeds a decimal by less than this fraction is not rounded up to the next one, nor one that is less by it down.
+/// When numbers are rounded up or down, a number within this fraction of a decimal is still written as this decimal.
 ///
 /// If smaller, an exact 4 N that was computed as 4.00000001 N is written as 4.00001 N. If larger, a written limit exceeds the computed one by more.
 const ROUNDING: f64 = 1e-8;
 
-/// Added to a formatter's precision to mark an answer as planar, although its vectors have three components. It exceeds every number of digits.
+/// Added to a formatter's precision to mark an answer as planar, although its vectors have three components. This number exceeds every number of
+/// digits.
 const IN_THE_PLANE: usize = 1 << 14;
 
 /// Factor by which the index in [`UNITS`] of the unit of lengths is multiplied in a formatter's precision, which also holds the number of digits.

@@ -1,5 +1,6 @@
 //! An amount of a sought quantity as text, in the unit of the quantity: "12 N at left and right", "an arm of 0.25 m", "60°". An amount (of squeeze,
-//! friction, load, arm, angle or force) is sufficient if the grasp meets the demand with it. The squeeze is all that presses without a load.
+//! friction, load, arm, angle or force) is sufficient if the grasp meets the demand with it, e.g. holds the object. The squeeze is all that presses
+//! without a load.
 
 use super::answer::{Needed, PressedBy, Quantity};
 use super::press::{self, ContactPress};

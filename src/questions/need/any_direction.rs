@@ -1,7 +1,7 @@
-//! The trial of an amount (such as a squeeze) under a force of any direction. It has a closed form while everything sticks; otherwise many directions
-//! are tried one by one. The carried part of the load is the load factor up to which the load is held; below 1 the load is lost. The weakest
-//! direction is the one in which the smallest part is carried; a jump is a sudden motion of the object under constant load. An amount is sufficient
-//! if the grasp meets the demand with it.
+//! The trial of an amount (such as a squeeze) under a force of any direction. While everything sticks the result has a closed form; otherwise many
+//! directions are tried one by one. The carried part of the load is the load factor up to which the load is held; below 1 the load is lost. The
+//! weakest direction is the one in which the smallest part is carried; a jump is a sudden motion of the object under constant load. An amount is
+//! sufficient if the grasp meets the demand with it.
 
 use super::loading::{Loading, force_at};
 use super::question::Demand;
@@ -46,9 +46,9 @@ impl Loading {
         )
     }
 
-    /// The result `held`, which the equilibrium with everything sticking gives, or a worse result under a force along one of the coordinate axes.
-    /// That equilibrium does not show whether the force buckles the grasp. Since the geometric stiffness is linear in the force, buckling is checked
-    /// only for forces along both senses of each axis.
+    /// Checks whether forces along the coordinate axes buckle the grasp. Returns the worst of these results and `held`, the result of the equilibrium
+    /// with everything sticking, which does not show buckling. The geometric stiffness is linear in the force, so that buckling is checked only for
+    /// forces along both senses of each axis.
     fn unless_it_buckles(&self, mut held: Trial, along: Along<'_>) -> Result<Trial, Error> {
         let axes = self.grasp.space().axes();
         for k in 0..2 * axes {
@@ -116,8 +116,8 @@ impl Loading {
         }))
     }
 
-    /// The result for that direction of a force of this size at `point` in which it causes the largest motions while everything sticks, relative to
-    /// the limits of small motions.
+    /// The result under a force of this size at `point`, while everything sticks. The direction of the force is the one in which it causes the
+    /// largest motions relative to the limits of small motions.
     fn farthest(&self, base: &Wrench<3>, size: f64, point: [f64; 3]) -> Result<Trial, Error> {
         let Some((most, direction)) = self.grasp.farthest_direction(base, point)? else {
             return Ok(Trial::always());
@@ -129,9 +129,9 @@ impl Loading {
         Ok(self.one_direction(&ramp, None)?.0)
     }
 
-    /// The worst result over directions of a force; `worst` has the result without the force. Directions with which other amounts were found
-    /// insufficient are tried first, then a few evenly spread ones, then those near directions in which the force is nearly lost. Directions between
-    /// all these come last. A quick trial (without the enumeration of contact states) tries only the first kind, if there are any.
+    /// The worst result over directions of a force; `worst` has the result without the force. First the directions with which other amounts were
+    /// found insufficient are tried. A quick trial (without the enumeration of contact states) tries only these, if there are any. Then follow a few
+    /// evenly spread directions, then directions near those in which the force is nearly lost, and finally directions between all these.
     fn in_every_direction(
         &self,
         mut worst: Trials,
@@ -175,7 +175,7 @@ impl Loading {
             }
         }
         match weakest {
-            // From now on, trials of other amounts begin with the weakest direction found near this one, in which the force is not held.
+            // The weakest direction near this one, in which the force is not held, is sought. Trials of other amounts begin with it.
             Some((direction, trial)) if !trial.is_sufficient() => {
                 let (direction, trial) =
                     self.weakest_near((direction, first_step(self.grasp.space())), along, trial)?;
@@ -190,8 +190,8 @@ impl Loading {
         Ok(Trials { held: Some(held), ..worst })
     }
 
-    /// The results for some directions, in parallel and in order, up to the first direction in which the force is not carried; `held` is the worst
-    /// result so far.
+    /// The results for some directions, computed in parallel. The list is in the order of the directions and ends with the first direction in which
+    /// the force is not carried. `held` is the worst result so far.
     fn some_directions(
         &self,
         some: &[[f64; 3]],
@@ -212,10 +212,10 @@ impl Loading {
         Ok(results)
     }
 
-    /// The worst result for directions between evenly spread ones, in all of which the load is carried. The weakest direction is sought near each
-    /// direction in which a smaller part of the load is carried than in its neighbours. The search starts from a direction in `before` if one is
-    /// near. If two neighbours have different numbers of jumps on their load paths, the direction between them at which this number changes is
-    /// sought, too: there the carried part of the load jumps.
+    /// The worst result for directions between evenly spread directions in all of which the load is carried. The weakest direction is sought near
+    /// each direction in which a smaller part of the load is carried than in its neighbours. The search starts from a direction in `before` if one is
+    /// near. The carried part of the load jumps where the number of jumps on the load path changes. If this number differs between two neighbours,
+    /// the direction between them at which it changes is sought, too.
     fn between_directions(
         &self,
         (all, tried): (&[[f64; 3]], &[Option<DirectionTrial>]),
@@ -293,10 +293,10 @@ impl Loading {
         Ok((self.said_of(1, &ramp.direction, trial), path))
     }
 
-    /// Searches near `direction` for the direction in which the smallest part of the load is carried; returns it with its trial. `weakest` is the
-    /// trial of `direction`. The search moves to a neighbouring direction with a smaller carried part; if there is none, the step (rad) is halved. It
-    /// ends once the whole load is carried between the neighbours, provided that the forces carried in all directions form a convex set. Where
-    /// contacts slide, convexity is not proved.
+    /// Searches near `direction` for the direction in which the smallest part of the load is carried, and returns it with its trial. `weakest` is the
+    /// trial of `direction`. The search moves to a neighbouring direction with a smaller carried part; if there is none, the step (rad) is halved.
+    /// The search ends once the whole load is carried in all directions between the neighbours. This conclusion assumes that the forces carried in
+    /// all directions form a convex set, which is not proved where contacts slide.
     fn weakest_near(
         &self,
         (mut direction, mut step): ([f64; 3], f64),
@@ -305,8 +305,8 @@ impl Loading {
     ) -> Result<([f64; 3], Trial), Error> {
         let space = self.grasp.space();
         for _ in 0..50 {
-            // If more than [`CLOSE`] times the load is carried in the weakest direction so far, the whole load is carried in its neighbours, and the
-            // search ends.
+            // If even in the weakest direction so far more than [`CLOSE`] times the load is carried, the whole load is carried in its neighbours,
+            // too, and the search ends.
             if step < LAST_STEP || weakest.carried().is_none_or(|carried| carried > CLOSE) {
                 break;
             }
@@ -340,17 +340,17 @@ type Along<'a> = &'a (dyn Fn([f64; 3]) -> Ramp<3> + Sync);
 /// Number of directions that are tried at once, in parallel. The trials of one such group follow the load equally far.
 const AT_ONCE: usize = 8;
 
-/// First step of the search for the weakest direction, if it starts from the direction that was weakest with another amount. It is given as a
-/// fraction of the first step from an evenly spread direction. If smaller, the search takes more steps to follow the weakest direction from amount to
-/// amount; if larger, it halves the step more often.
+/// First step of the search for the weakest direction if it starts from a direction that was weakest with another amount, as a fraction of the first
+/// step from an evenly spread direction. If smaller, the search takes more steps to follow the weakest direction from amount to amount; if larger, it
+/// halves the step more often.
 const A_LITTLE: f64 = 0.125;
 
 /// Directions closer to each other than this angle, rad, are not tried. The carried parts of the load within this angle differ by less than 1e-6,
 /// unless they jump.
 const LAST_STEP: f64 = 1e-3;
 
-/// The smaller value of [`LAST_STEP`] at a jump of the carried part, rad. It is used if less than 1 % more than the load is carried. If larger,
-/// directions in which the load is lost stay unseen within this angle.
+/// At a jump of the carried part of the load this angle, rad, replaces [`LAST_STEP`] if at most about 1 % more than the whole load is carried. If
+/// larger, directions in which the load is lost stay unseen within this angle.
 const LAST_STEP_AT_A_JUMP: f64 = 1e-8;
 
 /// The weakest direction is sought near directions in which a smaller part of the load is carried than in their neighbours. This is the upper limit

@@ -13,7 +13,8 @@ use crate::prelude::*;
 use crate::squeeze::{Loads, WeakestDirection};
 
 impl<const C: usize> Grasp<C> {
-    /// This grasp with an amount set, and its equilibrium under the load of the [need](Self::need) that uses most of its friction.
+    /// This grasp with an amount set, and its equilibrium under that load of the [need](Self::need) under which a contact uses the largest fraction
+    /// of its friction.
     ///
     /// The amount is in the unit of the sought [`Quantity`](super::Quantity); it may be the [`Amount::bound`](super::Amount::bound) of an answer. The
     /// use of friction is the largest `|f_t| / (|f_t| + margin)` of closed contacts, with the friction force f_t and the friction margin
@@ -52,8 +53,8 @@ impl Need<3> {
             Loads::Each(list) => tried(list, &|load| put_on(Ramp::load(*besides, *load * *times)))?,
             Loads::AnyForce { base, size, point } => {
                 let base = *besides + *base * *times;
-                // `most` is the size of the force that makes a contact slide in the weakest direction. Multiplied by the factor `part`, that force
-                // has the size given in the question, times `times`.
+                // `most` is the size of the least force that makes a contact slide, in the weakest direction. Times the factor `part`, this force has
+                // the size given in the question, multiplied by `times`.
                 let part = |most: f64| size * times / most;
                 let load = match grasp.weakest_direction(base, *point)? {
                     WeakestDirection::Force { load, size: most, .. } if most > 0.0 => {

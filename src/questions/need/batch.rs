@@ -58,12 +58,12 @@ impl From<&Amount> for ShortAmount {
 
 impl<const C: usize> Grasp<C> {
     /// The squeeze that each of many grasps needs for its own load, or the multiple of its load that it carries, on all cores. The amounts are those
-    /// of [`Self::need`], without sentences, further intervals of sufficient amounts, and safe amounts.
+    /// of [`Self::need`]; sentences, further intervals of sufficient amounts, and safe amounts are left out.
     ///
     /// The quantity is [`Quantity::Squeeze`] or [`Quantity::Load`], the demand that everything [sticks](Demand::Sticks) or that the object is
     /// [held](Demand::Held). A row is one grasp with its load. If everything must stick, a row takes a few microseconds; if the object must be held,
-    /// one load path up to the loss. Any other row takes as long as [`Self::need`]. The amounts agree with those of [`Self::need`] up to the step
-    /// error along parts of load paths on which directions of slip turn.
+    /// it takes as long as one load path up to the loss. Any other row takes as long as [`Self::need`]. The amounts agree with those of
+    /// [`Self::need`] up to the step error along parts of load paths on which directions of slip turn.
     ///
     /// The amounts are in the order of the rows, with the same bits for any number of threads. An error in one row does not stop the other rows.
     ///
@@ -240,7 +240,7 @@ impl BatchNeed {
         let (verdict, farthest) = grasp.with(&lenient).hold_briefly(&ramp)?;
         let lost = lost_at(&verdict).filter(|(_, is_too_far)| !is_too_far);
         let Some(amount) = lost.and_then(|(multiple, _)| self.amount(multiple)) else { return Ok(None) };
-        // Motions are proportional to the squeeze, so their largest ratio to a limit is known for the sought squeeze, too.
+        // Motions are proportional to the squeeze, so that `farthest`, their largest ratio to a limit, gives this ratio for the sought squeeze, too.
         // Forces grow with the squeeze, but stiffness does not, so that a larger squeeze may buckle the grasp.
         let may_buckle = |factor: f64| grasp.engine.may_buckle(&inside(&ramp.load_at(factor)));
         let is_larger = amount > 1.0 && (may_buckle(0.0) || may_buckle(1.0));
@@ -252,10 +252,11 @@ impl BatchNeed {
     }
 }
 
-/// The limits of small motions are multiplied by this factor, so that motions which are small at the sought squeeze do not end the path.
+/// The limits of small motions are multiplied by this factor, so that motions which are small at the sought squeeze do not end the load path.
 ///
-/// If larger, the ratio of a motion to its limit is lost in the rounding of 1, and objects that leave are followed to distances at which rounding
-/// decides, so that a row takes seven times as long. If smaller, more rows are searched for as in [`Grasp::need`].
+/// A load path stores 1 less the ratio of a motion to its limit. If the factor is much larger, these ratios are lost in rounding, and objects that
+/// leave are followed to distances at which rounding decides. A row then takes seven times as long. If smaller, more rows are searched for as in
+/// [`Grasp::need`].
 const ANY_MOTION: f64 = 1e6;
 /// Settings may not have larger limits of small motions (rotation in rad, slip as a fraction of the grasp), so that their squares do not overflow.
 const MOST_LIMIT: f64 = 1e50;

@@ -1,6 +1,6 @@
 //! The search for a sufficient amount (of squeeze, friction, load, arm or angle) between amounts that turned out to be insufficient: the grasp does
-//! not meet the demand with them. The carried part (or fraction) of the load is the load factor up to which the demand is met. At rest means before
-//! the loads of the question act.
+//! not meet the demand with them. A demand is, for example, that the object is held. The carried part (or fraction) of the load is the load factor up
+//! to which the demand is met. At rest means before the loads of the question act. A drive is a motor, clutch or tendon of a joint.
 
 use super::search::{SearchPlan, TrialFunctions};
 use super::tolerances::{FAR_FROM_START, LAST_DIGITS, NARROW, NEAR_DOUBLINGS};
@@ -9,8 +9,9 @@ use crate::error::Error;
 use crate::numerics::{increasing, moved, picked, sort_by_number};
 use crate::prelude::*;
 
-/// Searches for a sufficient amount between the insufficient amounts in `vain`. It starts near the amount with which most of the load is carried, and
-/// then tries amounts between the neighbours with the largest ratio near `begin`, the first amount of the whole search.
+/// Searches for a sufficient amount between the insufficient amounts in `vain`. The search starts near the amount with which most of the load is
+/// carried. Then it divides the widest of the intervals between tried amounts, again and again. Only intervals near `begin`, the first amount of the
+/// whole search, are divided.
 pub(super) fn refined(
     tries: TrialFunctions<'_>,
     plan: &SearchPlan,
@@ -21,7 +22,8 @@ pub(super) fn refined(
         return Ok(Some(sufficient));
     }
     let near = |at: f64| begin / FAR_FROM_START <= at && at <= begin * FAR_FROM_START && plan.contains(at);
-    // Two trials for each doubling of the amount, both below and above `begin`. With fewer, intervals of sufficient amounts are missed.
+    // The trials suffice to divide the range from 1 / [`FAR_FROM_START`] to [`FAR_FROM_START`] times `begin` twice per factor of two. With fewer,
+    // intervals of sufficient amounts are missed.
     for _ in 0..4 * NEAR_DOUBLINGS {
         let mut amounts = picked(vain, &|(at, _)| Some(*at).filter(|at| near(*at)));
         sort_by_number(&mut amounts, &|at| *at);

@@ -1,9 +1,9 @@
 //! A scan: trials of further amounts on both sides of the bound (the least or greatest sufficient amount) after a search has found it. An amount is
-//! sufficient if the grasp meets the demand with it. At rest means under the loads that act before the loads of the question.
+//! sufficient if the grasp meets the demand with it, e.g. holds the object. At rest means under the loads that act before the loads of the question.
 //!
 //! Easier amounts are larger if the least amount is sought, smaller if the greatest is sought; harder amounts are the opposite. The scan finds the
 //! far end, which is the last sufficient amount on the easier side of the bound, and further intervals of sufficient amounts. The carried part of the
-//! load is the load factor up to which the demand is met.
+//! load is the load factor up to which the demand is met. A bracket consists of a sufficient amount and its insufficient neighbour.
 
 use super::answer::AmountWindow;
 use super::search::{SearchPlan, TrialFunctions};
@@ -21,7 +21,7 @@ use crate::prelude::*;
 /// The result of a scan of amounts on both sides of a bound of the sufficient amounts.
 #[derive(Debug)]
 pub(super) struct BoundScan {
-    /// Number of pairs of neighbouring amounts of the scan of which one is sufficient and the other is not, including the pair at the bound.
+    /// Number of changes between sufficient and insufficient from one amount of the scan to the next, including the change at the bound.
     pub(super) changes: usize,
     /// The far end of the interval of sufficient amounts that starts at the bound: the last sufficient amount and its insufficient neighbour. `None`
     /// if all amounts tried on the easier side of the bound (more squeeze, less load) are sufficient.
@@ -64,10 +64,11 @@ impl SearchPlan {
 }
 
 impl BoundScan {
-    /// Tries `scan` new amounts, half of them on each side of a bound of the sufficient amounts, within the range in which contact forces can balance
-    /// the loads. The amounts in `known` are included. One more amount, 16 times as large or as small as the bound, is tried on the harder side (less
-    /// squeeze, more load), and on the easier side if `far`. Nothing is tried if `plan.is_monotone`: every easier amount than a sufficient one is
-    /// then sufficient, too.
+    /// Tries amounts on both sides of a bound of the sufficient amounts, within the range in which contact forces can balance the loads. `scan` of
+    /// these amounts are new, half of them on each side; the amounts in `known` are included. One more amount, 16 times as large or as small as the
+    /// bound, is tried on the harder side (less squeeze, more load), and on the easier side if `far`. On the easier side amounts at the proved end of
+    /// the range are tried, too, and amounts beyond the first amount of the search ([`NEAR_THE_START`], [`TOWARDS_ZERO`]). Nothing is tried if
+    /// `plan.is_monotone`: every easier amount than a sufficient one is then sufficient, too.
     pub(super) fn of(
         bound: &Threshold,
         scan: usize,
@@ -118,9 +119,9 @@ impl BoundScan {
         Ok(around)
     }
 
-    /// The last sufficient amount in the easier direction (more squeeze, less load) and its insufficient neighbour. This is for searches in which all
-    /// amounts tried in the harder direction are sufficient, so that there is no bound; `to` is the hardest of them. From `to` on, the `known`
-    /// amounts and `scan` new amounts that are easier than the first amount of the search are tried. `None` if all of them are sufficient.
+    /// For searches in which all amounts tried in the harder direction are sufficient, so that there is no bound: the last sufficient amount in the
+    /// easier direction (more squeeze, less load) and its insufficient neighbour. `to` is the hardest amount tried. From `to` on, the `known` amounts
+    /// and `scan` new amounts are tried; the new amounts are easier than the first amount of the search. `None` if all of them are sufficient.
     pub(super) fn far_end(
         to: f64,
         scan: usize,
@@ -197,10 +198,10 @@ impl BoundScan {
 }
 
 /// Tries at most [`BETWEEN`] further amounts, each between two neighbouring `known` amounts with the same verdict, where this verdict may change.
-/// Such an amount lies where the whole load [might be carried](where_all_might_be_carried), beyond the amount at which a margin is
-/// [predicted](where_a_margin_vanishes) to be zero, or in the middle of two amounts with different contact states at rest. If contact states at rest
-/// change with the amount, the carried part of the load may jump. Amounts near `near` come first, then the pair with the largest ratio. Returns
-/// whether the verdict on one of the further amounts differs from the verdict on its neighbours.
+/// Such an amount lies where the whole load [might be carried](where_all_might_be_carried), or beyond the amount at which a margin is
+/// [predicted](where_a_margin_vanishes) to be zero. It may also lie in the middle of two amounts with [different contact states](states_differ) at
+/// rest: where these states change, the carried part of the load may jump. Returns whether the verdict on one of the further amounts differs from the
+/// verdict on its neighbours.
 pub(super) fn between_known(
     known: &[(f64, Trial)],
     is_claimed: &dyn Fn(f64) -> bool,
@@ -223,8 +224,8 @@ pub(super) fn between_known(
     Ok(is_new)
 }
 
-/// An amount between two neighbouring insufficient amounts, a little beyond the bound that is estimated from the one that carries more of the load.
-/// Of several such amounts, the one with which most is carried.
+/// An amount between two neighbouring insufficient amounts, with which the whole load might be carried. It lies a little beyond the bound that is
+/// estimated from the neighbour that carries more of the load. If there are several such amounts, the one whose neighbour carries most is returned.
 fn where_all_might_be_carried(list: &[(f64, Trial)], plan: &SearchPlan) -> Option<f64> {
     let beyond = |here: &(f64, Trial), next: &(f64, Trial)| {
         let fail = !here.1.is_sufficient() && !next.1.is_sufficient();
@@ -242,8 +243,8 @@ fn where_all_might_be_carried(list: &[(f64, Trial)], plan: &SearchPlan) -> Optio
     highest(&both_ways, &|(carried, _)| *carried).map(|(_, at)| *at)
 }
 
-/// Of neighbouring amounts with the same verdict but different contact states at rest, the pair with the largest ratio: their geometric mean, and
-/// whether they suffice. Amounts within a ratio of [`FAR_FROM_START`] to `near` come first.
+/// The geometric mean of two neighbouring amounts with the same verdict but different contact states at rest, and whether these two amounts are
+/// sufficient. Of several such pairs, the pair with the largest ratio is taken; pairs within a ratio of [`FAR_FROM_START`] to `near` come first.
 fn states_differ(list: &[(f64, Trial)], near: f64, tries: TrialFunctions<'_>) -> Option<(f64, bool)> {
     let differ = |pair: &[(f64, Trial)]| {
         let [(one, trial), (other, next)] = [&pair[0], &pair[1]];

@@ -1,6 +1,6 @@
 //! A [`Need`] after a check of its fields, with defaults for all fields that were not given. The load at rest acts before the other loads. An amount
-//! (of squeeze, friction, load, arm, angle or force) is sufficient if the grasp meets the demand with it; a safe amount is sufficient also with less
-//! friction and squeeze, or with larger loads. The squeeze is all that presses without a load.
+//! (of squeeze, friction, load, arm, angle or force) is sufficient if the grasp meets the demand with it, e.g. holds the object; a safe amount is
+//! sufficient also with less friction and squeeze, or with larger loads. The squeeze is all that presses without a load.
 
 use alloc::borrow::Cow;
 
@@ -67,7 +67,7 @@ pub(super) struct CheckedNeed {
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Sought {
     Squeeze,
-    /// The squeeze if no command presses, but contacts overlap, as in a press fit.
+    /// The overlaps of contacts (negative clearances), as in a press fit. A factor on them is sought in place of the squeeze if no command presses.
     Overlaps,
     /// The contact points whose coefficient is sought; `None` for all contact points with friction.
     Friction {
@@ -256,7 +256,7 @@ impl Need<3> {
                 "is given, must be left out unless there is any_force (a load has its own)",
             ));
         }
-        // Loads that the sought arm or angle would not use.
+        // The loads among the fields of the question that the sought arm or angle would not use.
         let (has_list, any) = (!self.loads.is_empty(), self.any_force.is_some());
         let unused = match self.quantity {
             Quantity::Arm => [false, has_list, any, self.turn.is_some()],

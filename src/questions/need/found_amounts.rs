@@ -1,9 +1,10 @@
 //! Completes the answer of a `need` after a search has found sufficient amounts (of squeeze, friction, load, arm or angle). An amount is sufficient
-//! if the grasp meets the demand with it; the bound is the least or greatest sufficient amount.
+//! if the grasp meets the demand with it, e.g. holds the object; the bound is the least or greatest sufficient amount.
 //!
 //! Easier amounts are larger if the least amount is sought, smaller if the greatest is sought; harder amounts are the opposite. The far end is the
 //! last sufficient amount on the easier side of the bound. A scan tries further amounts on both sides of a bound that is already found. A safe amount
-//! is sufficient also with less friction and squeeze, or with larger loads. At rest means before the loads of the question act.
+//! is sufficient also with less friction and squeeze, or with larger loads. At rest means before the loads of the question act. A bracket consists of
+//! a sufficient amount and its insufficient neighbour.
 
 use super::answer::{Amount, FarEnd};
 use super::bound_scan::{BoundScan, between_known};
@@ -87,7 +88,7 @@ impl FoundAmounts<'_, '_> {
     fn around(&self, plan: &mut SearchPlan, bound: &Threshold) -> Result<BoundScan, Error> {
         let sufficient = bound.sufficient;
         let is_squeeze = matches!(self.tried.need.sought, Sought::Squeeze | Sought::Overlaps);
-        // If `is_monotone`, a larger squeeze always carries more, but it may move the part too far. Therefore one squeeze is tried that is much
+        // If `is_monotone`, a larger squeeze always carries more, but it may move the object too far. Therefore one squeeze is tried that is much
         // larger than the least squeeze and than the given squeeze. If it is insufficient, the whole range is scanned.
         let ample = FAR_FROM_START * sufficient.max(plan.start);
         if plan.is_monotone && is_squeeze && self.scan > 0 && plan.contains(ample) {
@@ -210,9 +211,9 @@ fn beyond_the_sufficient(sufficient: f64, is_least: bool, known: &[(f64, Trial)]
     Some([last, beyond[first].0])
 }
 
-/// The last sufficient amount on the easier side (more squeeze, less load) of the bound `sufficient`, and its insufficient neighbour. It is expected
-/// between the two amounts `far`, which are tried in turn. For a safe amount, `far` are the same two amounts with friction, squeeze and loads as
-/// given. `None` if neither of the two is insufficient, or if a verdict is undecided.
+/// The last sufficient amount on the easier side (more squeeze, less load) of the bound `sufficient`, and its insufficient neighbour. This far end is
+/// expected between the two amounts `far`, which are tried in turn. For a safe amount, `far` has the far end and its insufficient neighbour that were
+/// found with friction, squeeze and loads as given. `None` if neither of the two is insufficient, or if a verdict is undecided.
 fn far_end_near(
     far: [f64; 2],
     sufficient: f64,

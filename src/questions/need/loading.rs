@@ -1,8 +1,8 @@
 //! The trial of one amount (of squeeze, friction, load, arm or angle): the grasp with this amount set, and the verdicts on its loads. The carried
 //! part of a load is the load factor up to which the demand is met: that the object is held, or that nothing slides. At rest means under the loads
 //! that act before the loads of the question. An amount is sufficient if the demand is met with it under every load; the bound is the least or
-//! greatest sufficient amount. A ramp is a load that grows in proportion. Motions are small within the limits up to which the linear theory is
-//! trusted.
+//! greatest sufficient amount. A ramp is a load that grows in proportion; first slip is the load factor at which the first contact stops sticking
+//! under it. Motions are small within the limits up to which the linear theory is trusted.
 
 use alloc::sync::Arc;
 use core::fmt;
@@ -128,8 +128,8 @@ impl Loading {
         self
     }
 
-    /// This loading with trials that skip the enumeration of contact states at rest. Searches for an equilibrium at rest begin near these contact
-    /// states.
+    /// This loading with trials that skip the enumeration of contact states at rest. Searches for an equilibrium at rest begin near the contact
+    /// states `near`.
     pub(super) fn quick(mut self, near: Vec<State>) -> Self {
         self.extent = VerdictScope::Decided;
         self.grasp = self.grasp.with(&Settings { is_quick: true, ..*self.grasp.settings() });
@@ -139,8 +139,8 @@ impl Loading {
         self
     }
 
-    /// Determines whether the grasp meets the demand with this amount. The load or directions in `refuting`, with which earlier amounts were
-    /// insufficient, are applied first. A load that is not carried, or else the load carried least, is noted in `refuting`.
+    /// Determines whether the grasp meets the demand with this amount. The load or directions with which earlier amounts were insufficient, stored in
+    /// `refuting`, are applied first. A load that is not carried, or else the load carried least, is stored in `refuting`.
     pub(super) fn put_on(&self, demand: Demand, refuting: &RefutingLoads) -> Result<Trials, Error> {
         if let Some(refused) = &self.refused {
             return Ok(Trials::only(demand, Trial::insufficient(refused, NOT_AT_REST)));

@@ -1,8 +1,8 @@
 //! The amount of a quantity that a grasp needs: the least squeeze or friction, or the greatest load, arm or angle, with which nothing slides, or with
 //! which the object is held.
 //!
-//! A [`Need`] names the sought quantity and the loads; [`Grasp::need`](crate::ask::Grasp::need) answers with a [`Needed`]. Its sentence has the units
-//! of practice: newtons at each jaw, a coefficient of friction, metres, degrees.
+//! A [`Need`] names the sought quantity and the loads; [`Grasp::need`](crate::ask::Grasp::need) answers with a [`Needed`]. The sentence of this
+//! answer has the units of practice: newtons at each jaw, a coefficient of friction, metres, degrees.
 //!
 //! | sought | bound | unit of [`Amount`] |
 //! |---|---|---|
@@ -24,18 +24,18 @@
 //! plane to the last digits. If that fraction jumps at the bound, secants of a second margin are used. It is the distance to the limit of small
 //! motions (up to which the linear theory is trusted), or the margin of sticking at rest. At rest means under the load that acts before the others.
 //! If no equilibrium at rest exists beyond the bound, the distances of contacts from the ends of their states (open, sticking, sliding) are used.
-//! While the bracket is narrowed, verdicts omit the enumeration of many contact states, which is slowest near a bound, and the reason why no
-//! equilibrium exists. The verdicts for the two amounts of the answer include both. If only the enumeration finds equilibria at rest beyond the
-//! bound, a few amounts are tried there. If some are sufficient beyond insufficient ones, the bound lies before all of them.
+//! While the bracket is narrowed, two parts of a verdict are omitted: the enumeration of many contact states, which is slowest near a bound, and the
+//! reason why no equilibrium exists. The verdicts for the two amounts of the answer include both. If only the enumeration finds equilibria at rest
+//! beyond the bound, a few amounts are tried there. If some are sufficient beyond insufficient ones, the bound lies before all of them.
 //!
 //! Statics comes first: the amounts for which some forces inside all cones balance the loads form an interval, and a proof excludes all others. A
 //! larger squeeze is not always better: a motor at its limit presses no harder while another finger still pushes the object away. Therefore the
 //! search goes both ways from the first amount, and then between the amounts tried, towards the largest carried fraction. A scan of a few amounts
-//! around the bound finds how far the sufficient amounts extend ([`FarEnd`]), and which others are sufficient ([`AmountWindow`]). If contact states
-//! at rest differ between neighbouring amounts, or a margin is predicted to be zero between them, amounts between them are tried, too. The scan can
-//! still miss a narrow interval between two amounts. The answer therefore says how many amounts were tried ([`TriedAmounts`]), unless a proof
-//! excludes all others. If only loads and squeeze act, twice the squeeze carries twice the load. The scan is then omitted, unless a much larger
-//! squeeze moves the part too far.
+//! around the bound finds how far the sufficient amounts extend ([`FarEnd`]), and further intervals of sufficient amounts ([`AmountWindow`]). If
+//! contact states at rest differ between neighbouring amounts, or a margin is predicted to be zero between them, amounts between them are tried, too.
+//! The scan can still miss a narrow interval between two amounts. The answer therefore says how many amounts were tried ([`TriedAmounts`]), unless a
+//! proof excludes all others. If only loads and squeeze act, twice the squeeze carries twice the load. The scan is then omitted, unless a much larger
+//! squeeze moves the object too far.
 //!
 //! If no command presses, there is no squeeze to scale. In that case the force of the only loaded body is sought, or the load at rest, and the answer
 //! says so.

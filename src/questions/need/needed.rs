@@ -64,7 +64,8 @@ impl Need<3> {
         }
         let mut trials = TrialRecord::new(grasp, &asked, SafetyDeviations::NONE, start(grasp, &asked));
         let amount = amount(&trials, asked.demand, SearchExtent::Around)?;
-        // If the first amount is too large to hold, the amount with which nothing slides is sought from the largest one that holds.
+        // If the first amount of the search is too large, so that the object is not held, the amount with which nothing slides is sought from the
+        // largest amount that holds the object.
         if let Amount::Bound { until: Some(end), .. } | Amount::Any { until: Some(end), .. } = &amount
             && asked.quantity().is_least()
         {
@@ -174,8 +175,8 @@ fn amount(tried: &TrialRecord<'_>, demand: Demand, look: SearchExtent) -> Result
             None => found.any(&plan, to),
         },
         BoundSearch::Nothing(mut vain) => {
-            // `vain` are the amounts tried, none of which is sufficient. `SearchExtent::Towards` seeks the amount with which nothing slides, after an
-            // amount that holds the object. If the verdict on sticking is decided for some amounts, amounts with an undecided verdict are dropped.
+            // `vain` are the amounts tried, none of which is sufficient. With `SearchExtent::Towards` the amount with which nothing slides is sought.
+            // If the verdict on sticking is decided for some amounts, the amounts with an undecided verdict are dropped.
             if look == SearchExtent::Towards && vain.iter().any(|(_, trial)| trial.carried().is_some()) {
                 vain.retain(|(_, trial)| trial.carried().is_some());
             }

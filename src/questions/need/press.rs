@@ -111,9 +111,9 @@ pub(super) fn alike(presses: &[ContactPress]) -> Option<f64> {
     is_alike(&pressing, &|press| Some(press.force)).then(|| pressing[0].force)
 }
 
-/// The text for a normal force that is the same at all pressing contacts. It is `name(force)`, followed by the number to set: `pressed_with`, if that
-/// is the same, and `times`, the multiple of the given squeeze. This number is left out if the force itself is what the user sets. `None` if forces,
-/// pressures or overlaps differ between contacts.
+/// The text for a normal force that is the same at all pressing contacts: `name(force)`. In parentheses follow the number to set, `pressed_with`, if
+/// that is also the same at all contacts, and `times`, the multiple of the given squeeze. They are left out if the force itself is the number that
+/// the user sets. `None` if forces, pressures or overlaps differ between contacts.
 fn all_alike(
     words: Words,
     presses: &[ContactPress],
@@ -154,7 +154,8 @@ pub(super) fn in_words(words: Words, presses: &[ContactPress], times: String) ->
         None => {
             let each: Vec<_> =
                 mapped(&pressing, &|press| format!("{} at {}", press.in_words(words), press.part.text()));
-            // Where a force at rest is not the one that is set, typing it in as `pressed_with` gives another grasp.
+            // The words " at rest" mark forces that are not the forces that the user sets: if such a force is entered as `pressed_with`, the grasp is
+            // another one.
             let at_rest = if pressing.iter().all(|press| press.names_itself()) { "" } else { " at rest" };
             format!("{}{at_rest} ({times})", listed(&each))
         }

@@ -1,5 +1,5 @@
 //! Answers of a [`Need`](super::Need) that follow from proofs: all amounts are excluded, all but one, or all beyond the last sufficient one. An
-//! amount (of squeeze, friction, load, arm or angle) is sufficient if the grasp meets the demand with it.
+//! amount (of squeeze, friction, load, arm or angle) is sufficient if the grasp meets the demand with it, e.g. holds the object.
 
 use super::answer::{Amount, FarEnd};
 use super::needed::nothing_suffices;
@@ -20,8 +20,8 @@ pub(super) fn by_proof(plan: &SearchPlan, tries: TrialFunctions<'_>) -> Result<O
     Ok(Some(nothing_suffices(vec![(plan.start, trial)], plan.limits, Some(&plan.range))))
 }
 
-/// The answer if proofs exclude all amounts but one, and this one is sufficient; `None` otherwise. If this amount is 1 up to rounding, the given
-/// multiple 1 is tried instead.
+/// The answer if proofs exclude all amounts but one, and this one is sufficient; `None` otherwise. An amount within rounding of 1 is taken as exactly
+/// 1: if amounts are multiples, 1 stands for the given squeeze or load, without rounding.
 fn only_amount(plan: &SearchPlan, tries: TrialFunctions<'_>) -> Result<Option<Amount>, Error> {
     let Some(only) = plan.range.point() else { return Ok(None) };
     let sufficient = if (only - 1.0).abs() <= NEGLIGIBLE { 1.0 } else { only };
@@ -52,8 +52,9 @@ fn only_amount(plan: &SearchPlan, tries: TrialFunctions<'_>) -> Result<Option<Am
     }))
 }
 
-/// The bracket (a sufficient amount and its insufficient neighbour) at the end of the range of amounts that no proof excludes, if all tried amounts
-/// are sufficient; `to` is the last amount tried. Beyond this proved end no contact forces balance the loads.
+/// The bracket (a sufficient amount and its insufficient neighbour) at the proved end of the range of amounts, if all tried amounts are sufficient;
+/// `to` is the last amount tried. Beyond the proved end no contact forces balance the loads. `None` if `to` is not at this end, or if the neighbour
+/// is not found insufficient.
 pub(super) fn at_proved_end(
     to: f64,
     plan: &SearchPlan,

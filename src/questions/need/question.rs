@@ -356,8 +356,8 @@ impl<const C: usize> Need<C> {
         self
     }
 
-    /// This need with another number of amounts that are tried around the bound once it is found (default 6). They show further changes between
-    /// sufficient and insufficient. With 0 no such amounts are tried.
+    /// This need with another number of amounts that are tried around the bound once it is found (default 6). These amounts show further changes
+    /// between sufficient and insufficient. With 0 no such amounts are tried.
     #[must_use]
     pub fn with_scan(mut self, amounts: usize) -> Self {
         self.scan = amounts;

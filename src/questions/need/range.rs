@@ -75,7 +75,8 @@ impl Range {
         }
     }
 
-    /// Moves one end of the range inwards (the lower one if `up`), as far as proofs exclude amounts that leave the load of index `which` unbalanced.
+    /// Moves one end of the range inwards: the lower end if `up`, else the upper end. The end moves on as long as a proof shows that, with the amount
+    /// at this end, the load of index `which` is unbalanced.
     fn cut(
         &mut self,
         loading: &dyn Fn(f64) -> Result<Loading, Error>,

@@ -1,7 +1,7 @@
 //! The trial of an amount (of squeeze, friction, load, arm or angle) under loads that are applied and removed again and again. The amount is
-//! sufficient if the object comes to rest (from some cycle on nothing slides), or, with a weaker demand, does not walk (move on by the same motion in
-//! every period). A leg is a section of the load program, a period one cycle or several cycles after which the motion repeats itself. Motions are
-//! small within the limits up to which the linear theory is trusted.
+//! sufficient if the object comes to rest, i.e. nothing slides from some cycle on. With a weaker demand it is sufficient if the object does not walk,
+//! i.e. move on by the same motion in every period. A leg is a section of the load program, a period one cycle or several cycles after which the
+//! motion repeats itself. Motions are small within the limits up to which the linear theory is trusted.
 
 use core::f64::consts::TAU;
 
@@ -68,8 +68,8 @@ impl Loading {
 /// For an insufficient amount, a number below 1 that guides the search for a sufficient amount. It replaces the carried part of the load, the load
 /// factor up to which a load that is applied once is held. It is larger the later the object is lost, or the less the object moves per period.
 fn carried(shaken: &Shaken<3>, legs: usize) -> f64 {
-    // A loss gives less than one half; walking and sliding to and fro give more. Thus an increasing number leads the search from loss to walking to
-    // rest.
+    // A loss of the object gives a number below one half; a walk and sliding to and fro give larger numbers. A search for larger numbers thus leads
+    // from losses to walks, and from walks to rest.
     let held = 0.5;
     match &shaken.repeats {
         Repeats::NoRest { .. } => NOT_AT_REST,

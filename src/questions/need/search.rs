@@ -1,9 +1,9 @@
 //! The search for a sufficient amount (of squeeze, friction, load, arm or angle), and then for a neighbouring insufficient amount: together a bracket
 //! of the bound, the least or greatest sufficient amount. `threshold` narrows this bracket.
 //!
-//! An amount is sufficient if the grasp meets the demand with it (its [`Trial`]). Easier amounts are larger if the least amount is sought, smaller if
-//! the greatest is sought; harder amounts are the opposite. The carried part of the load is the load factor up to which the demand is met. Motions
-//! are small within the limits up to which the linear theory is trusted.
+//! An amount is sufficient if the grasp meets the demand with it, e.g. holds the object; this is the result of its [`Trial`]. Easier amounts are
+//! larger if the least amount is sought, smaller if the greatest is sought; harder amounts are the opposite. The carried part of the load is the load
+//! factor up to which the demand is met. Motions are small within the limits up to which the linear theory is trusted.
 
 use super::between::refined;
 use super::range::Range;
@@ -18,11 +18,11 @@ use crate::prelude::*;
 pub(super) struct TrialFunctions<'t> {
     /// Full trials, which include the enumeration of contact states in the search for equilibria.
     pub(super) whole: TrialOf<'t>,
-    /// Like `whole`, but load paths end at the loads asked about. The distance of a sufficient amount from the bound then stays unknown. A force of
-    /// any direction is tried only in directions that are known to be weak.
+    /// Like `whole`, but load paths end at the loads of the question. The trial of a sufficient amount then does not tell how far it is from the
+    /// bound. A force of any direction is tried only in directions that are known to be weak.
     pub(super) short: TrialOf<'t>,
     /// Quick trials omit the enumeration of many contact states, which is slowest if no equilibrium exists. If only the enumeration can decide, the
-    /// trial is undecided. With the flag `true`, load paths also end at the loads asked about, as in `short`.
+    /// trial is undecided. With the flag `true`, load paths also end at the loads of the question, as in `short`.
     pub(super) quick: &'t dyn Fn(f64, bool) -> Result<Trial, Error>,
     /// Whether the contact states in the equilibrium at rest (before the loads act) differ between two amounts, both with full trials.
     pub(super) rests_otherwise: &'t dyn Fn(f64, f64) -> bool,
@@ -50,7 +50,7 @@ pub(super) enum BoundSearch {
     Threshold(Threshold),
     /// All amounts that were tried are sufficient; this is the last amount tried.
     All(f64),
-    /// No amount is sufficient. The list has the amounts known before the search, then the amounts of the search from the first one on.
+    /// No amount is sufficient. The list has the amounts known before the search, then the amounts of the search in the order of the trials.
     Nothing(Vec<(f64, Trial)>),
 }
 
@@ -150,8 +150,8 @@ impl SearchPlan {
         let from_beyond = |part: f64| insufficient.and_then(|(at, trial)| beyond(*at, trial, part));
         let [nearest, near_enough, nearby] = NEAR_AN_END;
         let likely = |part: f64| self.range.likely.filter(|_| self.is_least).map(|at| at * part);
-        // Relative offset of the trials on both sides of the estimate of least friction. If smaller than the error of that estimate, both trials
-        // would be on one side of the bound.
+        // Relative distance from the estimate of least friction at which an amount on either side is tried. If smaller than the error of that
+        // estimate, both amounts would be on one side of the bound.
         let off = 3e-12;
         let near = |part: f64| self.beside_the_end(sufficient, part);
         let guesses = [
@@ -226,7 +226,7 @@ pub(super) fn search(
     // The ratio of successive amounts. With a larger ratio than 2, narrow intervals of sufficient amounts would be missed.
     let factor = if plan.everywhere { 2.0 } else { FAR_APART };
     let begin = first.0;
-    // If the start is insufficient because its squeeze moves the part too far, a smaller squeeze may be sufficient. Therefore harder amounts (less
+    // If the start is insufficient because its squeeze moves the object too far, a smaller squeeze may be sufficient. Therefore harder amounts (less
     // squeeze, more load) are tried, too, unless a greatest amount is sought and `is_monotone`.
     let may_be_less = plan.everywhere && (plan.is_least || !plan.is_monotone);
     for (up, is_asked) in [(more, true), (!more, may_be_less)] {
@@ -268,7 +268,7 @@ pub(super) fn decided(tries: TrialOf<'_>, at: f64, width: Option<f64>) -> Result
 }
 
 /// The first sufficient amount among estimates of the bound from the carried part of the load. Each estimate is moved towards easier amounts (more
-/// squeeze, less load): the first by 2 [`LAST_DIGITS`], each next one by 64 times as much.
+/// squeeze, less load): the first by 2 [`LAST_DIGITS`], each following estimate by 64 times the distance of the one before.
 fn guessed(
     tries: TrialFunctions<'_>,
     plan: &SearchPlan,
@@ -362,8 +362,8 @@ fn edge_from(
     first_insufficient(tries, plan, (sufficient, trial))
 }
 
-/// The bracket of the bound beyond a sufficient amount, if no guess of the bound has found an insufficient amount. It is found in growing steps
-/// towards harder amounts (less squeeze, more load).
+/// The bracket of the bound beyond a sufficient amount, if no estimate of the bound has led to an insufficient amount. The insufficient amount is
+/// sought in growing steps towards harder amounts (less squeeze, more load).
 fn first_insufficient(
     tries: TrialFunctions<'_>,
     plan: &SearchPlan,

@@ -1,13 +1,14 @@
-//! Directions of a force that are tried one by one: evenly spread ones, those of them that come first, and their neighbours. The carried part of the
-//! load is the load factor up to which the object is held.
+//! Directions of a force that are tried one by one: a set of evenly spread directions, the part of this set that is tried first, and the neighbours
+//! of each direction. The carried part of the load is the load factor up to which the object is held. In a jump the object moves suddenly under
+//! constant load, until contacts catch it.
 
 use core::f64::consts::{PI, TAU};
 
 use crate::numerics::{Each, Space, chosen, dot, numbered};
 use crate::prelude::*;
 
-/// The result for one direction of a force: the carried part of the load (0 if the verdict is undecided), and the number of jumps. In a jump the
-/// growth of the load is interrupted: the object moves suddenly under constant load, until contacts catch it.
+/// The result for one direction of a force: the carried part of the load (0 if the verdict is undecided), and the number of jumps while the load
+/// grows.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct DirectionTrial {
     pub(super) part: f64,

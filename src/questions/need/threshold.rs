@@ -164,12 +164,14 @@ struct Narrowing {
     sides: [BracketEnd; 2],
     /// Index of the measure in use: 0 for the carried part of the load less 1, 1 for the second margin of the trial ([`Trial::measures`]).
     which: usize,
-    /// The width of the bracket, and the change of the measure in use across it, from which on this measure is watched for a jump at the bound.
+    /// The width of the bracket, and the change of the measure in use across the bracket, when this measure was chosen or last found to be smooth.
+    /// Later values are compared with them to find out whether the measure jumps at the bound.
     at_first: (f64, Option<f64>),
-    /// Index in `sides` of the end that the last step moved. `None` before the first step, and after every fourth step of a slow search.
+    /// Index in `sides` of the end that the last step moved: 0 for the sufficient end, 1 for the insufficient end. `None` before the first step, and
+    /// after every fourth step if the search is slow.
     kept: Option<usize>,
-    /// The next trial keeps at least a distance from both ends of the bracket. The first entry is this distance, as a fraction of the larger amount;
-    /// the second is the value to which it is reset when the other end has moved.
+    /// Every trial keeps at least a distance from both ends of the bracket. The first entry is this distance, as a fraction of the larger amount. It
+    /// grows while steps move the same end; once a step moves the other end, it is reset to the second entry.
     push: [f64; 2],
     /// The widths of the bracket after the last three steps.
     widths: [f64; 3],
@@ -209,7 +211,7 @@ impl Narrowing {
         self.edge.sufficient.abs().max(self.edge.insufficient.0.abs())
     }
 
-    /// Whether the last three steps together left more than an eighth of the width.
+    /// Whether the width of the bracket is still more than an eighth of its width three steps before.
     fn is_slow(&mut self, step: usize) -> bool {
         let width = self.width();
         width > 0.125 * core::mem::replace(&mut self.widths[step % 3], width)
@@ -221,8 +223,8 @@ impl Narrowing {
         signs_differ(&self.sides, self.which).map(|[over, under]| over - under)
     }
 
-    /// Uses the measure with the index `which` (0: carried part of the load less 1; 1: second margin). It is watched for a jump from the present
-    /// width on.
+    /// Uses the measure with the index `which` (0: carried part of the load less 1; 1: second margin). The measure is watched for a jump from the
+    /// present width of the bracket on.
     fn watch(&mut self, which: usize) {
         self.which = which;
         self.at_first = (self.width(), self.fall());
@@ -255,8 +257,8 @@ impl Narrowing {
         jumps && !has_other
     }
 
-    /// The next amount to try: next to the amount at which the measure in use (a number that vanishes at the bound) probably vanishes, or at which
-    /// contacts at rest probably leave their states, or in the middle of the bracket.
+    /// The next amount to try. It lies next to the amount at which the measure in use (a number that vanishes at the bound) is predicted to vanish.
+    /// Otherwise it is near the amount at which contacts at rest are predicted to leave their states, or in the middle of the bracket.
     fn next(&mut self, tries: &TrialFunctions<'_>, (step, is_slow, halves): (usize, bool, bool)) -> f64 {
         let (from, to, width) = (self.edge.sufficient, self.edge.insufficient.0, self.width());
         let is_used = !(halves || step >= 3 && is_slow && self.kept.is_none());
@@ -270,7 +272,7 @@ impl Narrowing {
         let Some(root) = root else { return middle(from, to) };
         let moves = last.map_or(0.0, |last: f64| 1e-2 * (root - last).abs());
         let least = (self.push[0] * self.largest() / width).min(0.5);
-        // The next trial goes a little beyond the root, so that it should fall on the other side of it than the last trial.
+        // The next trial lies a little beyond the root, seen from the end that moved last. It then probably moves the other end.
         let beyond = (moves / width).max(least) * if self.kept == Some(1) { -1.0 } else { 1.0 };
         let beyond = if self.kept.is_some() { beyond } else { 0.0 };
         from + (to - from) * ((root - from) / (to - from) + beyond).clamp(least, 1.0 - least)
@@ -288,8 +290,8 @@ impl Narrowing {
         (over - under >= ROUNDING).then(|| root.unwrap_or_else(secant))
     }
 
-    /// The amount at which contacts at rest probably leave their states, moved towards an end of the bracket by the estimated error of the
-    /// prediction.
+    /// The amount at which contacts at rest are predicted to leave their states. It is moved towards an end of the bracket by the estimated error of
+    /// the prediction.
     fn where_rest_ends(&mut self, tries: &TrialFunctions<'_>) -> Option<f64> {
         let (from, to) = (self.edge.sufficient, self.edge.insufficient.0);
         let is_near = |at: f64, end: f64| (at - end).abs() <= NEAR_A_PREDICTION * end.abs();
@@ -307,7 +309,7 @@ impl Narrowing {
         next.map(|at| moved(at).clamp(from.min(to), from.max(to)))
     }
 
-    /// Notes the result of a trial. If the same end of the bracket moves twice, the next trial is farther away from both ends.
+    /// Notes the result of a trial. If the same end of the bracket moves twice, the next trial keeps a larger distance from both ends.
     fn moved_by(&mut self, at: f64, trial: &Trial, forgets: bool) {
         let side = usize::from(!trial.is_sufficient());
         self.push[0] = if self.kept == Some(side) { 16.0 * self.push[0] } else { self.push[1] };
@@ -360,27 +362,27 @@ pub(super) fn where_it_vanishes(points: [Option<(f64, f64)>; 3]) -> Option<f64> 
     Some(x0 + (end - m0) * (slope + bend * (end - m1)))
 }
 
-/// The measure of index `which` at both ends of the bracket, the sufficient end first. `None` unless it is at least zero at the sufficient end, at
-/// most zero at the other, and not zero at both. A negative value within rounding counts as zero at the sufficient end.
+/// The measure of index `which` at both ends of the bracket, the sufficient end first. `None` unless the measure is at least zero at the sufficient
+/// end and at most zero at the insufficient end, and not zero at both ends. At the sufficient end a negative value within rounding counts as zero.
 fn signs_differ(sides: &[BracketEnd; 2], which: usize) -> Option<[f64; 2]> {
     let (over, under) = (sides[0].measures[which]?, sides[1].measures[which]?);
     let (over, under) = (if over > -ROUNDING { over.max(0.0) } else { over }, under);
     (over >= 0.0 && under <= 0.0 && over > under).then_some([over, under])
 }
 
-/// Relative distances from the bound at which full trials are made in space if quick trials leave amounts next to the bound undecided. They are used
-/// one after the other, until a trial shows an insufficient amount.
+/// Relative distances from the bound at which full trials are made in space, if quick trials leave amounts next to the bound undecided. The distances
+/// are used in turn until a trial shows an insufficient amount.
 ///
 /// If smaller, the enumeration of contact states takes longer, or is undecided. If larger, the insufficient amount of the answer is farther from the
 /// bound than necessary.
 const APART_WHERE_HARD: [f64; 3] = [1e-4, 1e-3, 1e-1];
 
-/// The width at which a bracket is narrow enough while weaker directions of a force are found. If narrower, trials are spent on directions that do
-/// not change the answer; if wider, the width shows in the answer.
+/// The width at which a bracket is narrow enough while full trials still find weaker directions of a force. If narrower, trials are spent on
+/// directions that do not change the answer; if wider, the width shows in the answer.
 const WHERE_DIRECTIONS_ARE_FOUND: WidthSchedule = &[(0, AT_A_JUMP)];
 
-/// Relative distances from the bound at which full trials are made, one after the other, until a trial shows an insufficient amount. They are used in
-/// the plane, and in space if quick trials next to the bound are decided.
+/// Relative distances from the bound at which full trials are made in the plane, and in space if quick trials next to the bound are decided. The
+/// distances are used in turn until a trial shows an insufficient amount.
 const HARDLY_APART: [f64; 6] = [0.0, 1e-9, 1e-7, 1e-5, 1e-3, 1e-1];
 
 /// A difference of a measure between two amounts is taken as rounding if it is smaller than this number.

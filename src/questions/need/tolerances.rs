@@ -5,15 +5,17 @@
 //! Easier amounts are larger if the least amount is sought, smaller if the greatest is sought. The far end is the last sufficient amount on the
 //! easier side of the bound. A scan tries further amounts on both sides of a bound that is already found.
 //!
-//! Distances and widths of brackets are relative to the amount, or to the end of the range of amounts that no proof excludes.
+//! Distances and widths of brackets are relative to the amount, or to the end of the range of amounts that no proof excludes. A [`WidthSchedule`] has
+//! pairs of a number of steps and a width: from this step on, a bracket of this width is narrow enough. The carried part of the load is the load
+//! factor up to which the demand is met.
 
 use super::threshold::WidthSchedule;
 
 /// Two amounts at this relative distance differ by rounding alone.
 ///
-/// An estimate of the bound of the sufficient amounts is moved by this distance, across the bound. Thus trials on both sides leave a bracket within
-/// [`EXACT`]. An end of the range is final once it moves by less. If smaller, rounding determines on which side the trial is. From 5e-13 on, the
-/// bracket needs more trials.
+/// The search estimates the bound from both sides. Each time it tries an amount at this distance beyond the estimate; two such trials leave a bracket
+/// within [`EXACT`]. The search for an end of the range stops once a step moves the end by less than this distance. If smaller, rounding determines
+/// on which side of the bound the trial is. From 5e-13 on, the bracket needs more trials.
 pub(super) const LAST_DIGITS: f64 = 1e-13;
 
 /// The search for the least coefficient of friction ends at an interval of this relative width.
@@ -48,27 +50,28 @@ pub(super) const NEAR_DOUBLINGS: u32 = 4;
 /// If smaller, amounts that only narrow a bracket are counted as well, and the tried amounts seem closer together than they are.
 pub(super) const APART_IN_A_SCAN: f64 = 1e-2;
 
-/// The relative widths at which the bracket of the sought amount is narrow enough. They leave only digits that are due to rounding.
+/// The relative widths at which the bracket of the sought amount is narrow enough, as a schedule of steps and widths. A bracket of such a width
+/// leaves open only digits that are due to rounding.
 ///
 /// If narrower, further steps depend on rounding only. If wider, the width shows in the answer.
 pub(super) const EXACT: WidthSchedule = &[(0, 1e-12), (64, 5e-10)];
 
-/// In space a bracket with this relative width is narrow enough if the carried part of the load (the load factor up to which the demand is met) jumps
-/// at the bound.
+/// The relative width at which a bracket is narrow enough in space if the carried part of the load jumps at the bound.
 ///
 /// If smaller, halvings take most of the time of an answer. If larger, the width shows in the answer.
 pub(super) const AT_A_JUMP: f64 = 1e-6;
 
-/// The widths at which the bracket of the sought amount is narrow enough in space, since the verdicts come from load paths with step errors.
+/// The relative width at which the bracket of the sought amount is narrow enough in space. There verdicts come from load paths with step errors.
 ///
 /// If narrower, load paths begin where equilibria vanish (a fold), with hundreds of short steps. If wider, the width shows in the answer.
 pub(super) const EXACT_IN_SPACE: WidthSchedule = &[(0, 1e-9)];
 
-/// The widths at which the bracket of an additional amount, `sticks` or `safe`, is narrow enough. If narrower, an answer needs many more trials.
+/// The relative widths at which the bracket of an additional amount, `sticks` or `safe`, is narrow enough, as a schedule of steps and widths. If
+/// narrower, an answer needs many more trials.
 pub(super) const SECOND: WidthSchedule = &[(0, 2e-12), (5, 1e-8)];
 
-/// The widths at which a bracket is narrow enough between a sufficient and an insufficient amount, if it is not the bracket of the bound. An answer
-/// may have eight such brackets, so narrower ones would cost most of the trials.
+/// The relative widths at which a bracket that is not the bracket of the bound is narrow enough, as a schedule of steps and widths. An answer may
+/// have eight such brackets, so narrower ones would cost most of the trials.
 pub(super) const BESIDE_A_BOUND: WidthSchedule = &[(0, 1e-10), (16, 1e-8), (20, 1e-4)];
 
 /// Upper limit of the ratio of a tried amount to the first amount of the search, and of the first amount to a tried one.
@@ -88,7 +91,7 @@ pub(super) const BETWEEN_STATES: f64 = 1.05;
 
 /// After a scan, two margins are extrapolated linearly from neighbouring sufficient amounts: the carried part of the load less 1, and the distance to
 /// the limit of small motions or of sticking at rest. If a margin is predicted to be zero at an amount x before the next sufficient amount, an amount
-/// beyond x is tried. It lies at this fraction of the way from x to that next amount.
+/// beyond x is tried. The tried amount lies at this fraction of the way from x to that next amount.
 ///
 /// If smaller, rounding or a curved margin may hide insufficient amounts beyond x. If larger, a narrow interval of insufficient amounts is stepped
 /// over.
@@ -100,15 +103,15 @@ pub(super) const BEYOND_A_MARGIN: f64 = 0.1;
 /// With fewer, intervals of other verdicts are missed. Each amount costs a verdict.
 pub(super) const BETWEEN: usize = 5;
 
-/// Upper limit of the number of these [`BETWEEN`] amounts that are tried because a margin is predicted to be zero (see [`BEYOND_A_MARGIN`]) or the
-/// whole load might be carried.
+/// Of the [`BETWEEN`] amounts, at most this number are tried because a margin is predicted to be zero (see [`BEYOND_A_MARGIN`]), or because the whole
+/// load might be carried.
 ///
 /// A margin that falls less and less steeply is zero farther on than its first extrapolation predicts. If 1, insufficient amounts there are missed.
 /// If larger, too few amounts are left to try between different contact states at rest.
 pub(super) const WHERE_MARGINS_VANISH: usize = 2;
 
-/// The search begins with some amount, which may be easier (such as more squeeze or less load) than the bound. If it is easier by more than this
-/// ratio, still easier amounts are tried as well. The scan around the bound does not extend that far.
+/// If the first amount of the search is easier (such as more squeeze or less load) than the bound by more than this ratio, still easier amounts are
+/// tried as well. The scan around the bound does not extend that far.
 ///
 /// If smaller, answers take more verdicts. If larger, the end of the sufficient amounts is missed if it is little easier than the first amount.
 pub(super) const FAR_BEHIND: f64 = 4.0;
@@ -119,8 +122,8 @@ pub(super) const FAR_BEHIND: f64 = 4.0;
 /// With fewer, narrow intervals of other verdicts are missed. Each amount costs a verdict.
 pub(super) const NEAR_THE_START: usize = 3;
 
-/// Where a greatest amount is sought, a far smaller one is tried, too, divided by these numbers. For example, a force beside the fingers may turn the
-/// object out with an arm that is far shorter than the grasp.
+/// If a greatest amount is sought, amounts far below the bound are tried, too: the bound, or the first amount of the search if it is smaller, divided
+/// by these numbers. For example, a force beside the fingers may turn the object out with an arm that is far shorter than the grasp.
 ///
 /// Without these amounts, the least arm that suffices is missed if it is very short. Each costs a verdict.
 pub(super) const TOWARDS_ZERO: [f64; 3] = [16.0, 256.0, 65536.0];
@@ -132,8 +135,8 @@ pub(super) const TOWARDS_ZERO: [f64; 3] = [16.0, 256.0, 65536.0];
 /// over.
 pub(super) const NARROW: f64 = 0.01;
 
-/// If the bound of a safe amount is easier (such as more squeeze or less load) than the first amount of the search by more than this ratio, a scan
-/// around the bound is made.
+/// A scan around the bound of a safe amount is made if this bound is easier (such as more squeeze or less load) than the first amount of the search
+/// by more than this ratio.
 ///
 /// If smaller, most safe amounts take the trials of a scan. If larger, an interval of sufficient amounts that the search stepped over stays unseen.
 pub(super) const STEPPED_OVER: f64 = 1.25;

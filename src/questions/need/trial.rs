@@ -9,12 +9,12 @@ use crate::hold::AtRest;
 use crate::numerics::{Each, dot};
 use crate::prelude::*;
 
-/// The value of the carried part of the load if no equilibrium exists under the load at rest, which acts before the others. If the carried part is
-/// negative, not even the load at rest is carried in full.
+/// The value of the carried part of the load if no equilibrium exists under the load at rest. Any negative carried part means that not even the load
+/// at rest is carried in full.
 pub(super) const NOT_AT_REST: f64 = -1.0;
 
-/// A new direction with which an amount was insufficient replaces those in the list that are within this angle of it, rad. If smaller, the list fills
-/// with directions near one minimum of the carried load; if larger, a second minimum is forgotten.
+/// In the list of directions in which a force was not carried, a new direction replaces the directions within this angle of it, rad. If smaller, the
+/// list fills with directions near one minimum of the carried load; if larger, a second minimum is forgotten.
 const SAME_DIRECTION: f64 = 5e-3;
 
 /// The result of the trial of an amount.
@@ -82,7 +82,7 @@ impl Trial {
     }
 
     /// A number by which insufficient amounts are compared: the carried multiple of the load. If the object moves too far already at rest, the number
-    /// is between -1 and 0, and larger the nearer it is to small motions.
+    /// is between -1 and 0; it grows as the motions come closer to their limits.
     pub(super) fn nearness(&self) -> Option<f64> {
         match self {
             Self::Insufficient { carried, other, is_too_far: true, .. }
@@ -154,14 +154,14 @@ impl Trials {
 pub(super) struct RefutingLoads {
     /// Index, from 0, of the load that was not carried with the last insufficient amount, or was carried least with the last sufficient amount.
     pub(super) first: Cell<usize>,
-    /// Directions of a force of any direction in which the force was not carried with some amount, or was carried least. Quick trials are confined to
-    /// these directions.
+    /// For a question about a force of any direction: the directions in which the force was not carried with some amount, or was carried least. Quick
+    /// trials, which do not enumerate contact states, are confined to these directions.
     pub(super) directions: RefCell<Vec<[f64; 3]>>,
 }
 
 impl RefutingLoads {
-    /// Puts a direction first, in place of others within the angle [`SAME_DIRECTION`]. The list keeps the last six directions, so that their trials
-    /// take a small part of the time of all directions.
+    /// Puts a direction first in the list, in place of all directions within the angle [`SAME_DIRECTION`] of it. The list keeps the last six
+    /// directions, so that their trials take a small part of the time of all directions.
     pub(super) fn add(&self, direction: [f64; 3]) {
         let mut list = self.directions.borrow_mut();
         list.retain(|other| dot(other, &direction) < SAME_DIRECTION.cos());

@@ -1,6 +1,7 @@
 //! The amounts (of squeeze, friction, load, arm or angle) that were tried for an answer, and the plan for the search of further amounts. An amount is
-//! sufficient if the grasp meets the demand with it; the bound is the least or greatest sufficient amount. At rest means under the loads that act
-//! before the loads of the question.
+//! sufficient if the grasp meets the demand with it, e.g. holds the object; the bound is the least or greatest sufficient amount. A safe amount is
+//! sufficient also with less friction and squeeze, or with larger loads. At rest means under the loads that act before the loads of the question. A
+//! full trial of an amount enumerates contact states in the search for equilibria, a quick trial does not.
 //!
 //! Easier amounts are larger if the least amount is sought, smaller if the greatest is sought. The far end is the last sufficient amount on the
 //! easier side of the bound. A scan tries further amounts on both sides of a bound that is already found.
@@ -31,8 +32,8 @@ use crate::squeeze::Loads;
 pub(super) enum SearchExtent {
     /// A search in both directions, then a scan around the bound of the sufficient amounts.
     Around,
-    /// A search in both directions for a safe amount. The value is the far end with friction, squeeze and loads as given, if there is one: the last
-    /// sufficient amount and its insufficient neighbour. The search tries both to find the far end of the safe amounts.
+    /// A search in both directions for a safe amount. The value has the far end, and its insufficient neighbour, that were found with friction,
+    /// squeeze and loads as given; `None` if no far end was found. The search tries these two amounts to find the far end of the safe amounts.
     Everywhere(Option<[f64; 2]>),
     /// A search among a few easier amounts only, such as more squeeze or less load.
     Towards,
@@ -46,10 +47,10 @@ pub(super) struct TrialRecord<'q> {
     /// The amount with which the search begins, if forces can balance the loads with it.
     pub(super) start: f64,
     known: RefCell<Vec<(f64, Trials)>>,
-    /// Results of quick trials, which omit the enumeration of many contact states.
+    /// Results of quick trials, in which many contact states are not enumerated.
     quick: RefCell<Vec<(f64, Trials)>>,
     refuting: RefutingLoads,
-    /// The range of amounts outside which proofs exclude all amounts; computed by the first search and shared by all.
+    /// The range of amounts outside which proofs exclude all amounts. It is computed by the first search and shared by all searches.
     range: Cell<Option<Range>>,
 }
 
@@ -72,7 +73,7 @@ impl<'q> TrialRecord<'q> {
         }
     }
 
-    /// This record, which tries first the directions of a force with which amounts of the record `other` were insufficient.
+    /// This record with the directions of a force in which amounts of the record `other` were insufficient. Trials try these directions first.
     pub(super) fn with_directions_of(self, other: &Self) -> Self {
         self.refuting.directions.replace(other.refuting.directions.borrow().clone());
         self
@@ -138,8 +139,8 @@ impl<'q> TrialRecord<'q> {
         Ok(if short { loading.short() } else { loading })
     }
 
-    /// For a grasp with many coordinates: the contact states at rest with the nearest amount for which an equilibrium at rest is known. Otherwise
-    /// empty.
+    /// The contact states at rest with the nearest amount for which an equilibrium at rest is known. Empty if there is none, and for a grasp with few
+    /// coordinates.
     fn rests_near(&self, amount: f64) -> Vec<State> {
         if !uses_band(self.grasp.engine.size()) {
             return Vec::new();
@@ -162,9 +163,9 @@ impl<'q> TrialRecord<'q> {
         found(one).zip(found(other)).is_some_and(|(one, other)| differ(one, other))
     }
 
-    /// The amount between a sufficient and an insufficient one at which the first contact at rest changes its state. It is extrapolated from the
-    /// margins of contacts: gap, normal force, friction margin or slip, one of which is zero where the state ends. The margins are taken from
-    /// `sufficient` and the nearest amounts on its far side with the same contact states. `None` if there is no such amount.
+    /// The amount between a sufficient and an insufficient one at which the first contact at rest changes its state. Each state has margins (of gap,
+    /// normal force, friction or slip), and ends where one of them is zero. The margins are extrapolated from `sufficient` and the nearest amounts on
+    /// its far side with the same contact states. `None` if there is no such amount.
     pub(super) fn rest_ends(&self, sufficient: f64, insufficient: f64) -> Option<f64> {
         let lists = [self.known.borrow(), self.quick.borrow()];
         let mut behind = rests(&lists);
@@ -216,7 +217,8 @@ impl<'q> TrialRecord<'q> {
             _ => [start / MOST_LOADS, start * MOST_LOADS],
         };
         let is_monotone = match need.sought {
-            // A load grows from rest, a turn from angle 0. If the grasp holds with one amount, its path has therefore passed all smaller amounts.
+            // A load grows from zero, and a turn begins at angle 0. If the grasp holds with one amount, its load path has therefore passed all
+            // smaller amounts.
             Sought::Load | Sought::Angle { .. } => true,
             Sought::Squeeze => grasp.is_proportional() && need.base == Wrench::ZERO,
             Sought::Friction { .. } | Sought::Arm { .. } | Sought::Force { .. } | Sought::Overlaps => false,

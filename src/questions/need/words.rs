@@ -1,6 +1,8 @@
 //! The answer to a [`Need`](super::Need) in words. The first line is the sentence that one would say to a colleague; each further line is one clause
-//! about other amounts. An amount (of squeeze, friction, load, arm or angle) is sufficient if the grasp meets the demand with it; the bound is the
-//! least or greatest sufficient amount.
+//! about other amounts. An amount (of squeeze, friction, load, arm or angle) is sufficient if the grasp meets the demand with it, e.g. holds the
+//! object; the bound is the least or greatest sufficient amount. Easier amounts are larger if the least amount is sought, smaller if the greatest is
+//! sought. The far end is the last sufficient amount on the easier side of the bound. A safe amount is sufficient also with less friction and
+//! squeeze, or with larger loads.
 
 use core::fmt;
 
@@ -67,7 +69,8 @@ impl Needed {
         }
     }
 
-    /// The demand that the amount meets, as words: "it holds", or "holds" if the amount is a greatest one, whose sentence is "TAKES 5 N and holds".
+    /// The demand that the amount meets, as words. For a greatest amount "it holds" is shortened to "holds", because the sentence is "TAKES 5 N and
+    /// holds".
     fn aim(&self) -> &'static str {
         match self.demand {
             Demand::Sticks => "nothing slides",
@@ -78,7 +81,7 @@ impl Needed {
         }
     }
 
-    /// Writes the bound, the amounts next to it, what happens beyond it, and how it was found.
+    /// Writes the bound, the amount with which nothing slides, the safe amount, the verdicts beyond the bound, and the number of amounts tried.
     fn bound(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Amount::Bound {
             sufficient,
@@ -209,8 +212,8 @@ impl Needed {
         self.in_place_of_squeeze && self.quantity == Quantity::Squeeze
     }
 
-    /// Writes the sentences about further intervals of sufficient amounts. Returns the number of their known ends, each of which is a change of
-    /// verdict.
+    /// Writes the sentences about further intervals of sufficient amounts. Returns how many ends of these intervals are known; at each of them the
+    /// verdict changes.
     fn windows(&self, f: &mut fmt::Formatter<'_>, elsewhere: &[AmountWindow]) -> Result<usize, fmt::Error> {
         let (words, mut mentioned) = (Words::of(f), 0);
         for window in elsewhere {
@@ -245,7 +248,8 @@ impl Needed {
         limit.map_or(Ok(()), |limit| write!(f, "{LINE}there, at rest, {limit}"))
     }
 
-    /// Writes the amount with which nothing slides, after the amounts with which the object is held: from `sufficient` to `held_until`.
+    /// Writes the amount with which nothing slides. Before it, the sentence names the amounts with which the object is held: from `sufficient` to
+    /// `held_until`.
     fn beside(
         &self,
         f: &mut fmt::Formatter<'_>,
@@ -296,7 +300,7 @@ impl Needed {
         }
     }
 
-    /// The largest amount that does as text: "8.3 N, less than is given".
+    /// The text for the largest sufficient amount, with a remark if it is less than the given amount: "8.3 N, less than is given".
     fn at_most(&self, words: Words, end: &FarEnd) -> String {
         let is_multiple = matches!(self.quantity, Quantity::Squeeze | Quantity::Force);
         let beside = if is_multiple && end.sufficient < 1.0 { ", less than is given" } else { "" };
@@ -313,7 +317,7 @@ impl Needed {
         let is_least = self.quantity.is_least();
         let is_beyond = |end: &&FarEnd| {
             let held = held_until.map_or(f64::NAN, |held| held.sufficient);
-            // Brackets of far ends may be as wide as this part of them.
+            // The bracket of a far end may be as wide as this fraction of the amount.
             let width = 1e-4 * held.abs();
             if is_least { end.sufficient >= held - width } else { end.sufficient <= held + width }
         };
@@ -336,7 +340,8 @@ impl Needed {
         format!("from {from} to {to}, where motions cease to be small")
     }
 
-    /// Text before the safe amount. A larger load is asked for by name, so that its amount stands in the first line.
+    /// The text between the amount and the safe amount: a line break, or "; " if the safe amount is for larger loads. The user has then asked for it
+    /// with a factor of safety, so that it belongs to the first line.
     fn before_safe(&self) -> &'static str {
         if self.safety == 1.0 { LINE } else { "; " }
     }
@@ -376,8 +381,8 @@ impl Needed {
                     }
                     _ => self.interval_text(words, (*safe, safe_presses), until.as_ref()),
                 };
-                // The safe amount is sufficient with lower friction and squeeze or larger loads. With friction, squeeze and loads as given it may be
-                // too large or too small.
+                // The safe amount is sufficient with lower friction and squeeze or larger loads. With friction, squeeze and loads as given, the same
+                // amount may be too large or too small; the text then says so.
                 let beside = if self.amount.takes(*safe, self.quantity.is_least()) {
                     ""
                 } else {

@@ -1,5 +1,6 @@
-//! The memory in which the kernels of screening store the answers to one question for the grasps of one block. A block holds as many grasps as a
-//! vector has numbers (lanes). A pull is a load that grows from a base load.
+//! The memory in which screening stores the answers to one question for the grasps of one block. Screening computes, for many grasps, the load factor
+//! at which the first contact stops sticking (first slip). A block holds as many grasps as a SIMD vector has numbers (lanes). A pull is a load that
+//! grows from a base load.
 
 use super::lanes::Packed;
 

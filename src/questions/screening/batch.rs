@@ -1,5 +1,5 @@
 //! Many grasps with the same number of contacts, laid out in memory so that several grasps are screened at once. A block holds as many grasps as a
-//! vector has numbers. A command is the displacement that a finger would make without the object.
+//! SIMD vector has numbers (lanes). A command is the displacement that a finger would make without the object.
 
 use super::block::AnyGraspData;
 use super::fingers::Fingers;

@@ -1,4 +1,5 @@
-//! Answers the questions of screening for consecutive grasps of a batch, on one thread. A block holds as many grasps as a vector has numbers.
+//! Answers the questions of screening, such as the load factor at which the first contact stops sticking, for consecutive grasps of a batch, on one
+//! thread. A block holds as many grasps as a SIMD vector has numbers (lanes).
 
 use super::answer_slots::AnswerSlots;
 use super::block::{Block, Layout, MOST_POINTS, MOST_SCREENED};
@@ -53,7 +54,8 @@ impl<const C: usize, Q: ScreeningQuestion<C>> OnVectors for BatchPart<'_, C, Q> 
 }
 
 impl<const C: usize, Q: ScreeningQuestion<C>> BatchPart<'_, C, Q> {
-    /// Answers the questions block by block. The four arrays are working memory for the contact forces.
+    /// Answers the questions block by block. The four arrays are working memory: contact forces that are computed for one block and overwritten for
+    /// the next.
     #[inline(always)]
     fn screen<V: Vectors>(self, vectors: V, [squeezed, a, b, c]: [&mut AnyForces<C, Lanes>; 4]) {
         let (contacts, ends) = (self.contacts, self.ends);

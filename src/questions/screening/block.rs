@@ -1,4 +1,6 @@
-//! The data of several grasps, side by side in the lanes of vectors. A command is the displacement that a finger would make without the object.
+//! The data of several grasps, side by side in the lanes of SIMD vectors, as screening uses them. Screening computes, for many grasps, the load
+//! factor at which the first contact stops sticking (first slip). A command is the displacement that a finger would make without the object. A
+//! clearance is the gap between finger and object before the command; it is negative if they overlap.
 
 use super::lanes::Packed;
 

@@ -1,6 +1,6 @@
 //! Contact forces while every contact sticks, computed from the motion of the object. This is the method for pairs in space, and for three and more
-//! contacts except the triangles that [`Method::Edges`](super::method::Method::Edges) covers. A lane is the place of one grasp in a vector, whose
-//! numbers are computed side by side.
+//! contacts except the triangles that [`Method::Edges`](super::method::Method::Edges) covers. A lane is the place of one grasp in a SIMD vector,
+//! whose numbers are computed side by side.
 //!
 //! First the commands (displacements that the fingers would make without the object) stretch the springs with the object held in place. Then the
 //! object is released and moves by `q = T⁻¹ w`, with the stiffness matrix T and the wrench w that was not balanced. If stiffnesses differ much, T
@@ -152,10 +152,10 @@ fn move_object<const C: usize, X: Packed>(
     moved.turn[..coordinates - C].copy_from_slice(&motion[C..coordinates]);
 }
 
-/// Bounds the rounding error of each contact force by a fraction of the sum of two terms. One is the force itself. The other is the force of the
-/// contact's spring if the command and the whole motion of the object stretched the spring. This spring force is limited by the sum of the load, all
-/// contact forces and the second largest spring force. The reason: errors of displacements cause forces that balance each other, which takes at least
-/// two contacts.
+/// Bounds the rounding error of each contact force by a fraction of the sum of two terms. The first term is the force itself. The second term is the
+/// force that the contact's spring would exert if it were stretched by the command and the whole motion of the object. This spring force is counted
+/// up to the sum of the load, all contact forces and the second largest spring force. The reason: errors of displacements cause forces that balance
+/// each other, which takes at least two contacts.
 #[inline(always)]
 fn bound_rounding<const C: usize, X: Packed>(
     body: &RigidBody<C, X>,

@@ -17,8 +17,8 @@ pub(super) struct LeavingEdge<const C: usize, X: Packed> {
     pub(super) factor: X,
     /// The index, from 0, of the contact that leaves its cone; -1 if no contact leaves its cone.
     pub(super) contact: X,
-    /// The derivative of the margin m with respect to the normal force of each contact. As commands of the fingers, this array and `tangential` cause
-    /// contact forces from which all derivatives of m follow; see [`Self::probe`].
+    /// The derivative of the margin m with respect to the normal force of each contact. If this array and `tangential` are used as commands of the
+    /// fingers, all derivatives of m follow from the resulting contact forces; see [`Self::probe`].
     normal: [X; MOST_SCREENED],
     /// The derivative of the margin m with respect to the tangential force of each contact, one array for each axis.
     tangential: [[X; MOST_SCREENED]; C],
@@ -46,9 +46,9 @@ impl<const C: usize, X: Packed> LeavingEdge<C, X> {
         }
     }
 
-    /// Advances `forces` to the load factor at which the first contact leaves its cone, and computes the derivatives of the margin at this factor.
-    /// The margin is that of contact `which`, or for `None` that of the first contact that leaves its cone. If contact `which` does not leave its
-    /// cone at this factor, `self.factor` is NaN.
+    /// Advances `forces` from load factor zero to the load factor at which the first contact leaves its cone, and computes the derivatives of a
+    /// margin at this factor. The margin is that of contact `which`, or for `None` that of the first contact that leaves its cone. If contact `which`
+    /// does not leave its cone at this factor, `self.factor` is NaN.
     #[inline(always)]
     pub(super) fn reach(
         &mut self,
@@ -98,8 +98,8 @@ impl<const C: usize, X: Packed> LeavingEdge<C, X> {
         }
     }
 
-    /// The derivatives of the margin with respect to the contact force, in the form of commands of the fingers. The springs are solved once more with
-    /// these commands. By reciprocity, the resulting contact forces are the derivatives of the margin with respect to the commands.
+    /// The derivatives of the margin with respect to the contact force, in the form of commands of the fingers. The caller solves the springs once
+    /// more with these commands. By reciprocity, the resulting contact forces are the derivatives of the margin with respect to the given commands.
     #[inline(always)]
     pub(super) fn probe(&self, contacts: usize) -> Commanded<'_, C, X> {
         let contacts = count(contacts);

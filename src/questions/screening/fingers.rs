@@ -1,5 +1,6 @@
-//! One grasp, checked and prepared for screening. A command is the displacement that a finger would make without the object; at first slip the first
-//! contact stops sticking.
+//! One grasp, checked and prepared for screening. Screening computes the load factor at first slip, at which the first contact stops sticking. A
+//! command is the displacement that a finger would make without the object. A clearance is the gap between finger and object before the command; it
+//! is negative if they overlap.
 
 use super::block::MOST_SCREENED;
 use super::gradient::GradientOf;

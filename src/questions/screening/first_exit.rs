@@ -1,4 +1,6 @@
-//! The load factor at which the first contact force leaves its friction cone, if all contact forces are linear in the load factor.
+//! The load factor at which the first contact force leaves its friction cone, if all contact forces are linear in the load factor. The margin of a
+//! contact is `α F_n - β |F_t|` with the normal force F_n and the friction force F_t, see [`StickingCone`]. While it is positive, the force is inside
+//! the cone and the contact sticks.
 
 use super::block::{Block, MOST_POINTS, count};
 use super::cone::{Crossing, StickingCone};

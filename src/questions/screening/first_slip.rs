@@ -1,4 +1,5 @@
-//! The first slip of one grasp: a load factor, or a code if there is no first slip, and its verdict. The base load acts at load factor 0.
+//! The first slip of one grasp: the load factor at which the first contact stops sticking, or a negative code if there is no first slip, with the
+//! verdict that belongs to it. Screening computes first slips for many grasps. The base load acts at load factor 0.
 
 use core::fmt;
 

@@ -1,4 +1,4 @@
-//! The contact forces of several grasps, one grasp in each lane of a vector.
+//! The contact forces of several grasps while every contact sticks, one grasp in each lane of a vector.
 
 use super::block::{Layout, MOST_SCREENED};
 use super::finger::Force;

@@ -1,5 +1,7 @@
 //! The derivatives of the load factor at first slip with respect to all data of a grasp and the load, as a row of numbers. A contact leaves its cone
-//! when it stops sticking; a command is the displacement that a finger would make without the object.
+//! when its margin `α F_n - β |F_t|` vanishes, i.e. it stops sticking; see [`StickingCone`](super::cone::StickingCone). A command is the displacement
+//! that a finger would make without the object. In a second solution of the springs, the commands are the derivatives of the margin with respect to
+//! the contact force. That solution gives all derivatives; see [`super::gradient`] for the formulas.
 
 use super::answer_slots::AnswerSlots;
 use super::block::{Block, Layout, MOST_SCREENED, count, entries};
@@ -47,15 +49,16 @@ impl<const C: usize> GradientRow<C> {
 /// The number of entries of the longest [`GradientRow`], for five contacts in space.
 const LONGEST_ROW: usize = GradientRow::<3>::numbers(MOST_SCREENED);
 
-/// The data from which the derivatives of the load factor at first slip are computed, as products of contact forces and object motions; see
+/// The contact forces and the motions of the object from which the derivatives of the load factor at first slip are computed; see
 /// [`super::gradient`].
 pub(super) struct Slopes<'a, const C: usize, X: Packed> {
     pub(super) method: Method,
     pub(super) edge: &'a LeavingEdge<C, X>,
-    /// The contact forces F at first slip, and the forces P of the second solution, whose commands are the derivatives of the margin; see
+    /// The contact forces F at first slip, and the contact forces P of the second solution (with the derivatives of the margin as commands), see
     /// [`super::gradient`].
     pub(super) forces: [&'a AnyForces<C, X>; 2],
-    /// The displacement and rotation of the object: (u, ω) at first slip, and (v, ω̄) in the second solution; see [`super::gradient`].
+    /// The displacement and rotation of the object: (u, ω) at first slip, and (v, ω̄) in the second solution (with the derivatives of the margin as
+    /// commands), see [`super::gradient`].
     pub(super) motions: [&'a ObjectMotion<C, X>; 2],
     pub(super) first: X::Each<Screened>,
 }
@@ -73,7 +76,8 @@ impl<const C: usize, X: Packed> Slopes<'_, C, X> {
             self.contact(block, i, scale, &mut row);
             row[GradientRow::<C>::friction(contacts) + i] = scale * by_friction[i];
         }
-        // The motion (v, ω̄) of the second solution (see [`super::gradient`]) is moved to the origin, to which moments of loads refer.
+        // The object's motion (v, ω̄) in the second solution (see [`super::gradient`]) is converted to its motion at the origin, to which moments of
+        // loads refer.
         let virtually = self.motions[1];
         let mut turn = [X::all(0.0); C];
         turn.copy_from_slice(&virtually.turn[..C]);

@@ -2,10 +2,10 @@
 //! would make without the object.
 //!
 //! Under a load and with the commands multiplied by s the force of a contact is `F + s F'`. Here F is due to the load and the clearances, F' to the
-//! commands. Let n and t be `α F_n` and `β F_t` as in [`StickingCone`]; the margin `n - |t|` is concave in s. Therefore it is not negative in an
-//! interval of factors s, which may be empty. The force enters the cone at the lower end and leaves it at the upper end. The answer is the least s >=
-//! 0 that lies in the intervals of all contacts and loads. In the plane a margin is the smaller of two linear functions of s; in space both ends are
-//! roots of one quadratic equation, see [`Crossing`].
+//! commands. As s grows, this force moves along a straight line, the line of forces. Let n and t be `α F_n` and `β F_t` as in [`StickingCone`]; the
+//! margin `n - |t|` is concave in s. Therefore it is not negative in an interval of factors s, which may be empty. The force enters the cone at the
+//! lower end and leaves it at the upper end. The answer is the least s >= 0 that lies in the intervals of all contacts and loads. In the plane a
+//! margin is the smaller of two linear functions of s; in space both ends are roots of one quadratic equation, see [`Crossing`].
 
 use super::block::count;
 use super::cone::{Crossing, StickingCone};
@@ -72,7 +72,7 @@ impl<X: Packed> Margin<X> {
     ) -> Interval<X> {
         let (zero, infinite) = (X::all(0.0), X::all(f64::INFINITY));
         let Self { noise, gain_noise, .. } = *self;
-        // The factor at which `n² - |t|²` is largest, if the force, as a line in the factor, enters and leaves the cone.
+        // If the line of forces enters and leaves the cone, `n² - |t|²` is largest on it at the factor `deepest`.
         let deepest = line.b / line.a;
         let mut at = *t;
         for axis in 0..C {
@@ -114,18 +114,18 @@ impl<X: Packed> Margin<X> {
     }
 }
 
-/// The intersection of the intervals of factors on the commands in which the margins added so far are not negative. Two further numbers tell whether
-/// rounding or a motion without resistance makes the answer invalid.
+/// The intersection of the intervals in which the margins added so far are not negative, as functions of the factor on the commands. Two further
+/// numbers tell whether rounding or a motion without resistance makes the answer invalid.
 pub(super) struct LeastFactor<X: Packed> {
     /// The largest lower end of the intervals of factors of all contacts and loads, as computed.
     first: X,
-    /// The lower error bound of `first`, the largest lower end of the intervals of factors.
+    /// Lower error bound of `first`, the largest lower end of the intervals of factors.
     first_sure: X,
-    /// The upper error bound of `first`, the largest lower end of the intervals of factors.
+    /// Upper error bound of `first`, the largest lower end of the intervals of factors.
     first_most: X,
-    /// The lower error bound of the least upper end of the intervals of factors of all contacts and loads.
+    /// Lower error bound of the smallest upper end of the intervals of factors of all contacts and loads.
     last_sure: X,
-    /// The upper error bound of the least upper end of the intervals of factors of all contacts and loads.
+    /// Upper error bound of the smallest upper end of the intervals of factors of all contacts and loads.
     last_most: X,
     /// Positive if rounding determines whether some margin is negative, or forces do not balance, so that the answer is unclear.
     doubt: X,

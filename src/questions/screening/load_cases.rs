@@ -1,4 +1,5 @@
-//! A list of loads under each of which, one at a time, all contacts of a grasp must stick.
+//! A list of loads. All contacts of a grasp must stick under each of them, one at a time. Screening finds the least factor of the commands with which
+//! they do.
 
 use super::answer_slots::AnswerSlots;
 use super::lanes::Packed;

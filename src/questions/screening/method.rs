@@ -82,7 +82,9 @@ fn sizes<const C: usize>(grasp: &Block<'_, C, f64>) -> TermSizes<f64> {
     triangle.ready(grasp);
     let length = triangle.edge.each(|edge| edge.iter().map(|x| x * x).sum::<f64>().sqrt());
     let [c_n, c_t] = grasp.springs();
-    // Contact forces P of size one balance the load before edge forces are added. A bound of the final contact forces is then `1 + |N| |A⁻¹|
+    // The contact forces P that balance the load before edge forces are added have size one. With edge forces the contact forces are `P - N A⁻¹ Nᵀ C
+    // P`, which absolute values bound by `1 + |N| |A⁻¹| |Nᵀ| C`. Here N maps forces along edges to contact forces, C are the compliances, and `A = Nᵀ
+    // C N`.
     // |Nᵀ| C`, by absolute values. N maps forces along edges to contact forces, C are the compliances, and `A = Nᵀ C N`.
     let mut gives = 1.0;
     for k in 0..N {
@@ -147,7 +149,8 @@ mod tests {
         made
     }
 
-    /// The largest difference between a contact force in `forces` and in `others`, relative to `part` times the sum of both rounding bounds.
+    /// The largest difference between a contact force in `forces` and the force of the same contact in `others`, divided by `part` times the sum of
+    /// their rounding bounds.
     fn off(forces: &Forces<3, f64>, others: &Forces<3, f64>, part: f64) -> f64 {
         let mut off = 0.0_f64;
         for i in 0..3 {

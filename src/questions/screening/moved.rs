@@ -52,8 +52,9 @@ impl<const C: usize, X: Packed> ObjectMotion<C, X> {
         );
     }
 
-    /// Computes the motion of an object held by three contacts in space. Let e₁, e₂ be two edges of the triangle of contacts and m = e₁ × e₂. Let d₁,
-    /// d₂ be the differences of the displacements between the ends of the edges. The rotation is `ω = (m·d₂ e₁ - m·d₁ e₂ + ½ (e₂·d₁ - e₁·d₂) m) /
+    /// Computes the motion of an object held by three contacts in space. Two edges e₁ and e₂ of the triangle of contacts have the normal vector m =
+    /// e₁ × e₂. The displacements at the ends of these edges differ by d₁ and d₂. The rotation is `ω = (m·d₂ e₁ - m·d₁ e₂ + ½ (e₂·d₁ - e₁·d₂) m) /
+    /// |m|²`.
     /// |m|²`.
     #[inline(never)]
     pub(super) fn of_a_triangle<V: Vectors>(
@@ -108,9 +109,9 @@ fn off_the_spring<const C: usize, X: Packed>(
     world(&entries(&block.normals(), i), &left)
 }
 
-/// The derivatives of the work of a contact force F along a motion of the object with displacement u and rotation ω at the contact. The derivative
-/// with respect to the contact point is `ω × F`. The derivative with respect to a rotation of the contact frame is `u × F`, returned as `(u × F) × n`
-/// for a change of the normal n.
+/// The derivatives of the work `u·F` that a contact force F does along a motion of the object, with displacement u at the contact and rotation ω. The
+/// derivative with respect to the contact point is `ω × F`. The derivative with respect to a rotation of the contact frame is `u × F`, returned as
+/// `(u × F) × n` for a change of the normal n.
 #[inline(always)]
 pub(super) fn worked<const C: usize, X: Packed>([turn, at, force, normal]: [&[X; C]; 4]) -> ([X; C], [X; C]) {
     if const { C == 2 } {

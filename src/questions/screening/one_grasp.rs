@@ -1,5 +1,5 @@
-//! One grasp prepared for screening: its data, springs, and the contact forces due to its commands. A command is the displacement that a finger would
-//! make without the object.
+//! One grasp prepared for screening: its data, its springs, and the contact forces due to its commands. Screening computes, for many grasps, the load
+//! factor at which the first contact stops sticking (first slip). A command is the displacement that a finger would make without the object.
 
 use nalgebra::SMatrix;
 

@@ -1,8 +1,8 @@
 //! Two contacts in the plane: contact forces in closed form, from compliances.
 //!
 //! The vector from contact 1 to contact 2 is p, with `p_1 = p` and `p_2 = -p`. `p_i⊥` is p_i turned counterclockwise by a quarter turn, and m the
-//! midpoint. The compliances are `C_i = K_i⁻¹` in coordinate axes. Balance with a load (force W_f, moment W_m) leaves one unknown λ, the force along
-//! the line through both contacts:
+//! midpoint. The compliance of contact i is `C_i = K_i⁻¹`, the inverse of its stiffness, in coordinate axes. Balance with a load (force W_f, moment
+//! W_m) leaves one unknown λ, the force along the line through both contacts:
 //!
 //! ```text
 //! F_i = λ p_i + s p_i⊥ - W_f / 2,   s = (W_m - m × W_f) / |p|²
@@ -15,7 +15,8 @@
 //! Σ p_i·(a_i - C_i F_i) = 0
 //! ```
 //!
-//! The coefficient of λ in this condition is a sum of positive terms. Stiffnesses do not cancel, whatever their ratios.
+//! The coefficient of λ in this condition, `Σ p_i·C_i p_i`, is a sum of positive terms. Therefore no digits are lost, however different the
+//! stiffnesses are.
 
 use super::block::{AnyGraspData, Block, Commanded, Layout, TermSizes};
 use super::forces::AnyForces;
@@ -59,7 +60,8 @@ pub(super) fn to_compliances<const C: usize>(grasp: &mut AnyGraspData<C>) {
     grasp.measure(&sizes);
 }
 
-/// Sums of absolute values of terms, to which the rounding of contact forces is proportional, for a pair whose springs are stored as compliances.
+/// Bounds on the sums of the absolute values of the terms that add up to a contact force, for a pair whose springs are stored as compliances. The
+/// rounding error of the force is proportional to these sums.
 fn sizes<const C: usize>(grasp: &Block<'_, C, f64>) -> TermSizes<f64> {
     let pair = Pair::new(grasp);
     let [x, y] = [0, 1].each(|axis| grasp.points()[axis][1] - grasp.points()[axis][0]);
@@ -92,10 +94,10 @@ pub(super) struct Pair<X: Packed> {
     v: [X; 2],
     one_over_give: X,
     one_over_square: X,
-    /// The stretch of the line through both contacts due to the forces `p_i⊥` (p_i turned counterclockwise by a quarter turn), times |p|: `Σ p_i·C_i
-    /// p_i⊥`.
+    /// The increase of the distance |p| between the contacts due to the forces `p_i⊥` (p_i turned counterclockwise by a quarter turn), times |p|: `Σ
+    /// p_i·C_i p_i⊥`.
     sheared: X,
-    /// The stretch of the line through both contacts due to the commands a_i, times |p|: `Σ p_i·a_i`, m².
+    /// The decrease of the distance |p| that the commands a_i would cause without the object, times |p|: `Σ p_i·a_i`, m².
     commanded: X,
     sizes: TermSizes<X>,
 }
@@ -140,8 +142,8 @@ impl<X: Packed> Pair<X> {
         }
     }
 
-    /// The sum of absolute values of terms, N, in the contact forces that these commands cause. The rounding of these forces is proportional to this
-    /// sum.
+    /// A bound, N, on the sum of the absolute values of the terms that add up to a contact force due to these commands. The rounding error of the
+    /// force is proportional to this sum.
     #[inline(always)]
     fn size_of<const C: usize>(&self, length: X, asked: &Commanded<'_, C, X>) -> X {
         let mut commands = X::all(0.0);
@@ -206,7 +208,7 @@ impl<X: Packed> Pair<X> {
     fn loaded<const C: usize>(&self, load: &[X; 6], forces: &mut AnyForces<C, X>) {
         let zero = [X::all(0.0); 2];
         let s = (load[2] - (self.midpoint[0] * load[1] - self.midpoint[1] * load[0])) * self.one_over_square;
-        // Minus half of the load's force: each contact carries half of it.
+        // Each contact carries half of the force of the load; its force on the object is the opposite of this half.
         let (x, y) = (X::all(-0.5) * load[0], X::all(-0.5) * load[1]);
         let (mut halves, mut given) = ([zero; 2], zero);
         for i in 0..2 {
@@ -224,7 +226,8 @@ impl<X: Packed> Pair<X> {
         (forces.unbalanced, forces.free) = (X::all(0.0), X::all(0.0));
     }
 
-    /// Writes the contact forces due to commands alone, along the line through both contacts. The commands are those of the block, or `others`.
+    /// Writes the contact forces due to commands alone, without a load; they act along the line through both contacts. The commands are `others` or,
+    /// if `None`, those of the grasps in this block, less clearances.
     #[inline(always)]
     fn squeezed<const C: usize>(
         &self,
@@ -248,7 +251,7 @@ impl<X: Packed> Pair<X> {
     }
 }
 
-/// `p_i·a_i`, m²: the command of finger i along the line through both contacts, times the distance |p| between them.
+/// `p_i·a_i`, m²: the component of the command of finger i along the line through both contacts, times the distance |p| between them.
 #[inline(always)]
 fn taken<const C: usize, X: Packed>(i: usize, commands: &Commanded<'_, C, X>, (n, t): (X, X)) -> X {
     commands.pressed[i] * n + commands.sheared[0][i] * t

@@ -1,4 +1,5 @@
-//! Many grasps with the same number of contact points, up to 64; several grasps are stored side by side in each block.
+//! Many grasps with the same number of contact points, up to 64. Screening computes the load factor at which the first contact of each grasp stops
+//! sticking (first slip). A block holds as many grasps as a SIMD vector has numbers (lanes).
 
 use super::batch_part::BatchPart;
 use super::block::{AnyGraspData, Block, Layout, MOST_POINTS, WideGraspData};
@@ -72,9 +73,9 @@ impl<const C: usize> PointBatch<C> {
         self.len == 0
     }
 
-    /// Appends a grasp. Its index in the batch is also the index of its answers. Returns `false`, and appends nothing, if contacts are malformed or
-    /// not supported by screening (see [`Fingers::new`](super::Fingers::new)). It does so also if they do not fit the batch: another number of points
-    /// or other fingers. For such contacts use [`Grasp`](crate::ask::Grasp), which also names the fault.
+    /// Appends a grasp. Its index in the batch is also the index of its answers. Returns `false`, and appends nothing, if contacts are malformed, or
+    /// not supported by screening (see [`Fingers::new`](super::Fingers::new)), or do not fit the batch: another number of points, or other fingers.
+    /// For such contacts use [`Grasp`](crate::ask::Grasp), which also names the fault.
     pub fn push(&mut self, contacts: &[Contact<C>]) -> bool {
         if contacts.len() != self.contacts || !(2..=MOST_POINTS).contains(&contacts.len()) {
             return false;

@@ -1,4 +1,4 @@
-//! A load that grows from a base load, as a question of screening.
+//! A load that grows from a base load, as a question of screening: at which load factor does the first contact stop sticking?
 
 use super::answer_slots::AnswerSlots;
 use super::first_exit::judge;

@@ -1,5 +1,6 @@
-//! A question of screening, such as the first slip under a load, and the block of grasps for which it is answered. A block holds as many grasps as a
-//! vector has numbers (lanes). A command is the displacement that a finger would make without the object.
+//! A question of screening, such as the first slip (at which load factor does the first contact stop sticking?), and the block of grasps for which it
+//! is answered. A block holds as many grasps as a SIMD vector has numbers (lanes). A command is the displacement that a finger would make without the
+//! object. A clearance is the gap between finger and object before the command; it is negative if they overlap.
 
 use super::answer_slots::AnswerSlots;
 use super::block::{Block, Commanded, MOST_SCREENED};
@@ -70,8 +71,9 @@ impl<V: Vectors, const C: usize, X: Packed> PreparedBlock<'_, V, C, X> {
         forces.add_to(self.block.contacts, self.squeezed, ON_THE_EDGE / ZERO_SLACK);
     }
 
-    /// Computes the contact forces that the commands alone cause, and the contact forces that the clearances alone cause. The rounding bounds of
-    /// forces due to commands are larger than the bounds of forces due to loads; here they are scaled down to the latter.
+    /// Computes the contact forces that the commands alone cause, and the contact forces that the clearances alone cause. The rounding bound of a
+    /// force is set to [`ZERO_SLACK`] times the sum of its terms, as for forces due to loads. Forces due to commands otherwise have the wider bound
+    /// [`ON_THE_EDGE`] times this sum.
     #[inline(always)]
     pub(super) fn apart(&self, [commands, clearances]: [&mut AnyForces<C, X>; 2]) {
         let [commanded, clearance] = self.block.commands_and_clearances();
@@ -91,8 +93,8 @@ impl<V: Vectors, const C: usize, X: Packed> PreparedBlock<'_, V, C, X> {
             };
             squeeze(commanded, self.block.commands().sheared, commands);
             squeeze(&overlaps[..contacts], [&[X::all(0.0); MOST_SCREENED][..contacts]; C], clearances);
-            // Clearances only stretch springs and do no work along a motion without resistance. If their forces cancel, `free` would be positive due
-            // to rounding.
+            // Clearances only stretch springs and do no work along a motion without resistance. If the forces due to clearances cancel each other,
+            // rounding would make `free` positive, which means that work is done.
             clearances.free = X::all(0.0);
         }
         for forces in [commands, clearances] {

@@ -1,4 +1,5 @@
-//! The answer of screening for one grasp under a load that grows.
+//! The answer of screening for one grasp under a load that grows. Screening computes, for many grasps, the load factor at which the first contact
+//! stops sticking (first slip).
 
 use core::fmt;
 

@@ -1,5 +1,6 @@
-//! Access to the derivatives of load factors at first slip. A gradient belongs to one grasp under one load: the load factor at which the first
-//! contact stops sticking, and its derivatives with respect to all data. The base load acts at load factor 0.
+//! Access to the derivatives of load factors at first slip. A gradient belongs to one grasp under one load. It consists of the load factor at which
+//! the first contact stops sticking, and its derivatives with respect to all data. At this factor the margin of that contact, `μ F_n - |F_t|`,
+//! vanishes. The base load acts at load factor 0.
 
 use super::first_slip::SlipCode;
 use super::gradient_row::GradientRow;

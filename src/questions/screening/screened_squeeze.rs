@@ -1,5 +1,5 @@
-//! The answer of screening for the least factor of the commands of one grasp. A command is the displacement that a finger would make without the
-//! object.
+//! The answer of screening for the least factor of the commands with which all contacts of one grasp stick. A command is the displacement that a
+//! finger would make without the object. A clearance is the gap between finger and object before the command; it is negative if they overlap.
 
 use core::fmt;
 

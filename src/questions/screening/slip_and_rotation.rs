@@ -1,5 +1,5 @@
-//! First slip, and the rotation of the object up to the whole load, for a batch of grasps, each under its own load. The base load acts at load factor
-//! 0.
+//! First slip (the first contact stops sticking), and the rotation of the object up to the whole load, for a batch of grasps, each under its own
+//! load. The base load acts at load factor 0. A block holds as many grasps as a SIMD vector has numbers (lanes).
 
 use super::answer_slots::AnswerSlots;
 use super::block::Layout;

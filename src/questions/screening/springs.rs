@@ -1,5 +1,6 @@
 //! Contact forces while all contacts stick, under loads and commands, by one of three methods. A command is the displacement that a finger would make
-//! without the object.
+//! without the object. A clearance is the gap between finger and object before the command; it is negative if they overlap. A block holds as many
+//! grasps as a SIMD vector has numbers (lanes).
 
 use super::balance::RigidBody;
 use super::block::{Block, Commanded, Layout};
@@ -74,8 +75,8 @@ impl<const C: usize, X: Packed> StickingSprings<C, X> {
         }
     }
 
-    /// Computes the contact forces that commands alone cause, without a load on the object. The commands are `others`, or else the commands of the
-    /// grasps in this block, less clearances.
+    /// Computes the contact forces due to commands alone, without a load. The commands are `others` or, if `None`, those of the grasps in this block,
+    /// less clearances.
     pub(super) fn squeeze<V: Vectors>(
         &self,
         v: V,

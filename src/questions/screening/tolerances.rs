@@ -1,13 +1,14 @@
 //! Tolerances with which screening calls an answer unclear, or refines contact forces.
 //!
-//! All of them but the bounds of products are dimensionless. If more than a few refinements of the forces would be needed, the verdict is unclear.
+//! All of them but the bounds of products are dimensionless. The margin of a contact is `μ F_n - |F_t|`; it is positive while the contact sticks. If
+//! more than a few refinements of the forces would be needed, the verdict is unclear.
 
 /// A contact may be on the edge of its friction cone if its margin at load factor zero is below this fraction of the forces.
 ///
 /// If this were smaller, rounding would determine whether the contact sticks. If larger, more grasps would be unclear.
 pub(super) const ON_THE_EDGE: f64 = 1e-12;
 
-/// If more than this fraction of the load stays unbalanced, and no spring resists some motion, the load is taken to do work along that motion.
+/// If no spring resists some motion and more than this fraction of the load stays unbalanced, the load is taken to do work along that motion.
 ///
 /// If the load does no work along the motion, only rounding stays unbalanced. If this limit were larger, a load that drives the object away weakly
 /// would be called unclear.

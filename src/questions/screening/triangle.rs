@@ -1,4 +1,4 @@
-//! Three contacts in space: contact forces from forces along the edges of their triangle, with compliances.
+//! Three contacts in space: contact forces from forces along the edges of their triangle. The data are the compliances of the contacts.
 //!
 //! The edges run around the triangle of the contact points p_0, p_1 and p_2: `e_0 = p_2 - p_1` and so on. Edge i lies opposite to contact i. Modulo
 //! 3, edge j = i + 1 ends at contact i, and edge k = i + 2 begins at contact i. All edges are normal to `m = e_1 × e_2`. Balance with a load (force
@@ -9,7 +9,8 @@
 //! ```
 //!
 //! The lengths of the edges on the object stay constant, which fixes λ for the commands a (displacements that the fingers would make without the
-//! object). With the compliances `C_i = c_t I + (c_n - c_t) n nᵀ`, for each edge from its tail to its head:
+//! object). A contact with unit normal n, normal compliance c_n and tangential compliance c_t has the compliance `C_i = c_t I + (c_n - c_t) n nᵀ`.
+//! For each edge, from its tail to its head:
 //!
 //! ```text
 //! e·[(a - C F)_head - (a - C F)_tail] = 0,   A λ = Nᵀ (a - C P),   A = Nᵀ C N,   (N λ)_i = λ_j e_j - λ_k e_k
@@ -43,15 +44,17 @@ pub(super) struct Triangle<const C: usize, X: Packed> {
     pub(super) centre: [X; C],
     /// The normal vector `m = e_1 × e_2` of the triangle; its length, in square metres, is twice the area.
     pub(super) across: [X; C],
-    /// `1 / |m|²` with this normal vector m, in 1/metre⁴.
+    /// `1 / |m|²` with the normal vector `m = e_1 × e_2` of the triangle, in 1/metre⁴.
     pub(super) one_over_square: X,
     /// The products `n_i·e_j` of the normal of contact i with the edge that ends at the contact.
     ends: [X; N],
     /// The products `n_i·e_k` of the normal of contact i with the edge that begins at the contact.
     begins: [X; N],
-    /// Contributions of the tangential compliances to the stretch of the edges, if all contacts have the same unit force along the edge.
+    /// For edge k, the compliance c_t at its head less the compliance c_t at its tail. If all contacts have the same force F, the isotropic parts
+    /// `c_t I` of the compliances contribute this difference times `e_k·F` to `e_k·[(C F)_head - (C F)_tail]`.
     pushed: [X; N],
-    /// Contributions of the tangential compliances to the stretch of the edges, if contact i has the force `P_i = e_i`.
+    /// For edge k, the contribution of the isotropic parts `c_t I` of the compliances to `e_k·[(C F)_head - (C F)_tail]` if each contact i has the
+    /// force `F_i = e_i`.
     turned: [X; N],
     pub(super) factors: LaneFactors<N, X>,
 }
@@ -140,8 +143,8 @@ impl<const C: usize, X: Packed> Triangle<C, X> {
         self.forces(block, &lambda, Some((&borne, &pressed)), X::all(ZERO_SLACK) * size, forces);
     }
 
-    /// The sum of absolute values of terms, N, in the contact forces that these commands cause. The rounding of these forces is proportional to this
-    /// sum.
+    /// A bound, N, on the sum of the absolute values of the terms that add up to a contact force due to these commands. The rounding error of the
+    /// force is proportional to this sum.
     #[inline(always)]
     pub(super) fn size_of(&self, asked: &Commanded<'_, C, X>) -> X {
         let (mut stiffness, mut commands) = (X::all(0.0), X::all(0.0));
@@ -155,7 +158,8 @@ impl<const C: usize, X: Packed> Triangle<C, X> {
         stiffness * commands
     }
 
-    /// Writes the contact forces that commands alone cause: the commands of the grasps in this block or, if given, `others`.
+    /// Writes the contact forces due to commands alone, without a load. The commands are `others` or, if `None`, those of the grasps in this block,
+    /// less clearances.
     #[inline(always)]
     fn squeezed(
         &self,
@@ -176,7 +180,7 @@ impl<const C: usize, X: Packed> Triangle<C, X> {
         self.forces(block, &lambda, None, X::all(ON_THE_EDGE) * size, forces);
     }
 
-    /// The stretch of each edge, times its length, if contact i moves by `way[i]` along its normal.
+    /// For each edge, the increase of its length times this length, m², if each contact i moves by `way[i]`, m, along its normal.
     #[inline(always)]
     fn along_normals(&self, way: &[X]) -> [X; N] {
         let mut given = [X::all(0.0); N];
@@ -187,8 +191,8 @@ impl<const C: usize, X: Packed> Triangle<C, X> {
         given
     }
 
-    /// Stores the force of each contact: the forces along the two edges that meet at the contact (`lambda` times the edges), plus its entry of
-    /// `borne`. The forces `borne` balance the load.
+    /// Stores the force on the object at each contact, N. It is the sum of the forces along the two edges that meet at the contact (`lambda` times
+    /// the edges) and of the contact's entry of `borne`. The forces `borne` balance the load.
     #[inline(always)]
     fn forces(
         &self,

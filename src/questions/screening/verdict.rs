@@ -1,10 +1,13 @@
-//! The verdict on a grasp in screening, from the margins of its contacts at the start and its first slip.
+//! The verdict of screening on a grasp: the load factor at which the first contact leaves its friction cone (stops sticking), or a negative code if
+//! there is no such factor. At the start, load factor zero, the margins of all contacts must be positive. The margin of a contact is `α F_n - β
+//! |F_t|` with the normal force F_n and the friction force F_t; see [`StickingCone`](super::cone::StickingCone). A block holds as many grasps as a
+//! SIMD vector has numbers (lanes).
 
 use super::first_slip::{GIVES_WAY, NOT_STICKING, SlipCode, UNCLEAR};
 use super::lanes::Packed;
 use crate::numerics::tolerances::SOLVED_ROUNDING;
 
-/// The least margins of sticking at load factor zero, for several grasps, one in each lane of a vector.
+/// The least margin of sticking among the contacts at load factor zero, for several grasps, one in each lane of a vector.
 pub(super) struct Start<X: Packed> {
     /// The least margin of all contacts, N. Contacts whose squared forces over- or underflow are left out.
     margin: X,
@@ -17,8 +20,8 @@ pub(super) struct Start<X: Packed> {
 }
 
 impl<X: Packed> Start<X> {
-    /// The margins before any contact has been added: infinite. `free` is positive if the load at load factor zero does positive work along a motion
-    /// that no contact resists.
+    /// The state before any contact has been added: both margins are infinite. `free` is positive if the load at load factor zero does positive work
+    /// along a motion that no contact resists.
     #[inline(always)]
     pub(super) fn new(free: X) -> Self {
         let infinite = X::all(f64::INFINITY);
@@ -42,8 +45,8 @@ impl<X: Packed> Start<X> {
 }
 
 /// The answers for the grasps of a block; `answer` makes each of them from a [`SlipCode`]. `first` is the load factor at which the first contact
-/// leaves its cone, infinity, or a code. It becomes the answer only if all contacts stick at load factor zero and the contact forces balance the
-/// load.
+/// leaves its cone; it may be infinity, or a code such as [`UNCLEAR`]. It becomes the answer only if all contacts stick at load factor zero and the
+/// contact forces balance the load.
 #[inline(always)]
 pub(super) fn verdicts<A: Copy, X: Packed>(
     (first, leaving): (X, X),
@@ -53,8 +56,8 @@ pub(super) fn verdicts<A: Copy, X: Packed>(
     answer: impl Fn(SlipCode) -> A,
 ) -> X::Each<A> {
     let (zero, &Start { margin, sure, free, .. }) = (X::all(0.0), start);
-    // If no forces were found, `sure` is NaN, and adding zero times `sure` makes the code NaN, too. Otherwise `sure` is finite: even a contact that
-    // never leaves its cone counts, with a margin of exactly zero.
+    // If no forces were found, `sure` is NaN. Adding zero times `sure` then makes the code NaN, which also means unclear. A contact that never leaves
+    // its cone has a margin of exactly zero, not infinity, so that it keeps `sure` finite.
     let code = first + X::all(0.0) * sure;
     let code = (-start.sure()).above(zero, X::all(UNCLEAR), code);
     let code = balanced(unbalanced, code, X::all(UNCLEAR));

@@ -21,8 +21,8 @@ use crate::error::{ContactLabel, Error, Field};
 use crate::grasp::Wrench;
 use crate::numerics::Vectors;
 
-/// The margins of measured contact forces of one grasp, the load factor of first slip under an expected load, and the extra squeeze (relative
-/// increase of all commands) that this load needs.
+/// The answer of [`Fingers::watch`] for measured contact forces of one grasp: their margins, the load factor of first slip under an expected load,
+/// and the extra squeeze (relative increase of all commands) that this load needs.
 #[derive(Clone, Copy, PartialEq)]
 pub struct Watched {
     margin: f64,
@@ -123,8 +123,8 @@ pub(super) struct Measured<'a, const C: usize> {
 }
 
 impl<const C: usize> Measured<'_, C> {
-    /// Writes the measured forces, split into components along and across the normals, to `measured`. The bounds of their rounding are 1e-12 of each
-    /// force.
+    /// Writes the measured forces, split into components along and across the normals, to `measured`. The rounding error of each force is taken to be
+    /// at most 1e-12 of the force.
     #[inline(always)]
     fn write<X: Packed>(&self, normals: [&[X]; C], measured: &mut AnyForces<C, X>) {
         measured.clear();

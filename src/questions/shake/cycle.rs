@@ -40,8 +40,8 @@ impl Cycle {
         Some(Self { scale: scale_of(engine, &record, &to), from, to, record })
     }
 
-    /// The cycle that begins at the state `there`, and the load path for the cycles after it. `None` if no path begins at this state, or if the path
-    /// ends within the cycle.
+    /// The cycle that begins at the state `there`, and the load path for the cycles after it. `None` if this state, with its slips, is no
+    /// equilibrium, or if the path ends within the cycle.
     pub(super) fn beginning_at<'g>(
         engine: &'g Engine,
         cycles: &Cycles<'g>,

@@ -76,8 +76,8 @@ struct FollowedCycles<'g, 's> {
     base: Wrench<3>,
     rest: CycleState,
     cycles: Cycles<'g>,
-    /// The latest states between successive cycles, oldest first, at most [`KEPT_STATES`]. They begin with the start of the last cycle whose events
-    /// differ from those of the cycle before.
+    /// The latest states between successive cycles, oldest first, at most [`KEPT_STATES`]. The oldest is at least as late as the beginning of the
+    /// last cycle whose events differ from the events of the cycle before.
     places: Vec<CycleState>,
     /// For each contact or drive, whether it has slid in any cycle so far.
     slid: Vec<bool>,
@@ -92,7 +92,8 @@ struct FollowedCycles<'g, 's> {
     followed: usize,
     /// Number of load cycles from rest to the present state, including cycles that extrapolation skipped.
     cycles_gone: usize,
-    /// Why the cycles followed so far say little: the first motion that was not small, a suction cup that leaks, or buckling. `None` without a reason.
+    /// The first reason why the cycles followed so far may be wrong: a motion that was not small, a suction cup that leaks, or buckling. `None`
+    /// without a reason.
     too_far: Option<TooFar>,
 }
 
@@ -190,8 +191,8 @@ impl<'g> FollowedCycles<'g, '_> {
             return Extrapolation::NotKnown;
         };
         let near = if last.record.step_error > 0.0 { NEAR_THE_LIMIT_ON_ARCS } else { NEAR_THE_LIMIT };
-        // A state is taken as near the limit if forces and gaps change by at most the relative number `near` in the cycle from it. `near` is smaller
-        // for a smaller present change, so that a trial after a failed trial is closer to the limit.
+        // A state is near the limit if, in the cycle that begins at it, forces and gaps change by at most the relative number `near`. This number is
+        // smaller if the present change is smaller, so that a trial after a failed trial is closer to the limit.
         let near = near.min(1e-3 * last.change()).max(last.same());
         let farthest = recurrence.cycles_until(near);
         let mut passed = farthest;
@@ -258,7 +259,8 @@ impl<'g> FollowedCycles<'g, '_> {
         self.opened.iter_mut().enumerate().for_each(|(i, opened)| *opened |= cycle.is_open(i));
     }
 
-    /// The behaviour if the load path ends within cycle number `cycle`, counted from 1 for the cycle that starts at rest: the loss, or undecided.
+    /// The behaviour if the load path ends within cycle number `cycle`, counted from 1 for the cycle that starts at rest: the object is lost, or the
+    /// behaviour is undecided.
     fn repeats_at_end(&self, cycle: usize) -> Repeats<3> {
         match self.cycles.end() {
             Some(PathEnd::Lost(loss)) => {
@@ -354,7 +356,7 @@ enum Extrapolation<'g> {
         cycle: Box<Cycle>,
         /// The load path as it stands at the end of `cycle`, from which further cycles can be followed.
         cycles: Box<Cycles<'g>>,
-        /// Number of cycles between the present state and the beginning of `cycle`, which need not be followed.
+        /// Number of cycles between the present state and the beginning of `cycle`. These cycles are skipped.
         passed: usize,
     },
     /// All extrapolations failed.

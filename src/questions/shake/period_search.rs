@@ -11,7 +11,7 @@ pub(super) struct PeriodSearch {
     /// All cycles since the reference state, joined to one; `many` is their number.
     all: Option<Cycle>,
     many: usize,
-    /// Once `many` is this number, the latest state becomes the reference state.
+    /// Once `many`, the number of cycles since the reference state, reaches this number, the latest state becomes the reference state.
     most: usize,
 }
 

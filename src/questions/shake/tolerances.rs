@@ -8,8 +8,8 @@
 /// If smaller, rounding keeps cycles that repeat themselves from being recognised. If larger, a slow drift is taken as repetition.
 pub(super) const SAME_CYCLE: f64 = 1e-11;
 
-/// If forces and gaps change per cycle by at most this relative number, the limit counts as near. All further cycles are then expected to have the
-/// same events.
+/// If forces and gaps change per cycle by at most this relative number, the state counts as near the limit to which the cycles converge. All further
+/// cycles are then expected to have the same events (slipping, sticking, opening and closing of contacts).
 ///
 /// If smaller, more cycles would be followed before the limit is known. If larger, events before the limit is reached would be missed.
 pub(super) const NEAR_THE_LIMIT: f64 = 1e-6;

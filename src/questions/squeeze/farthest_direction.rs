@@ -88,8 +88,8 @@ fn shortest_to_length(length: f64, a: &SVector<f64, 3>, b: &SMatrix<f64, 3, 3>) 
     };
     let along_first = |part: f64| (length * length - others(part)).max(0.0).sqrt();
     let (mut low, mut high) = (0.0, 1.0);
-    // For a trial λ, `along_first` is the first component that s would need to have the length L; its actual first component is c₁ / part. While the
-    // actual component is smaller in magnitude, |s| is less than L. Sixty halvings reduce the error to rounding.
+    // For a trial λ, `along_first` is the first component with which s would have the length L, given the other components. The actual first
+    // component is c₁ / `part`. While its magnitude is smaller, |s| is less than L. Sixty halvings reduce the error to rounding.
     for _ in 0..60 {
         let part = 0.5 * (low + high);
         let is_within = along_first(part) * part > along[0].abs();

@@ -56,8 +56,8 @@ impl Engine {
             Err(motion) => return Ok(LeastSqueeze::GivesWay { motion }),
         };
         let (mut factor, mut binding) = (0.0, None);
-        // Each round raises the factor until the condition that was broken holds, with quadratic convergence. After this many rounds only rounding
-        // could change the factor.
+        // Each round raises the factor until the condition that was broken holds. The factor converges quadratically, so that after this many rounds
+        // only rounding could still change it.
         for _ in 0..1000 {
             let Some((contact, Condition { row, value, load, .. })) = parts.broken(factor) else {
                 return Ok(LeastSqueeze::Factor { factor, binding });

@@ -1,5 +1,6 @@
 //! Finds the sticking condition that is broken most under a set of loads, if all commands and vacuums are multiplied by a factor. A command is the
-//! displacement that a finger would make without the object.
+//! displacement that a finger would make without the object. A clearance is the gap between finger and object before the command; it is negative if
+//! they overlap.
 
 use nalgebra::SVector;
 

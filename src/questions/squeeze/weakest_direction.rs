@@ -1,5 +1,6 @@
 //! The least force, over all directions, that makes a contact stop sticking when it acts at a given point. The base load is constant and acts before
-//! that force. A drive is a motor, clutch or tendon of a joint.
+//! that force. A facet is a plane that bounds a polygonal friction cone, or one that touches a round cone. A drive is a motor, clutch or tendon of a
+//! joint.
 
 use crate::numerics::IntoList;
 use core::f64::consts::FRAC_PI_2;
@@ -117,7 +118,8 @@ impl LeastForce {
         let begin = force[2].atan2(force[1]);
         let quarters = |quarter: u8| begin + f64::from(quarter) * FRAC_PI_2;
         let mut size = cut(edges.rows(&|_| (0..4).map(quarters).list()));
-        // Each round with further planes lowers the force, with quadratic convergence. After this many rounds only rounding could change the force.
+        // Each round adds planes, which reduces the least force; the force converges quadratically. After this many rounds only rounding could still
+        // change it.
         for _ in 0..200 {
             // Consider the gradient, with respect to the force at the point, of the margin on the facet at angle φ of the round cone. It is a + b cos
             // φ + c sin φ, with constant vectors a, b and c. If this gradient vanishes at four angles, it vanishes at all angles, and no force makes

@@ -93,8 +93,8 @@ impl Engine {
     }
 
     /// Decides closure for friction cones that are spanned by generators (forces on their edges). `straight` are the generators of polygonal cones.
-    /// `round` returns, for a motion, the generator of each round cone that does the most negative work along it. Forces have only the components in
-    /// `axes`, pairs of a contact and one of its axes. `inside` returns whether forces are strictly inside their cones.
+    /// `round` returns, for a motion, the generator of each round cone that does the most negative work along it. `axes` has pairs of a contact and
+    /// one of its axes; forces have components along these axes only. `inside` returns whether forces are strictly inside their cones.
     fn closure(
         &self,
         axes: &[(usize, usize)],

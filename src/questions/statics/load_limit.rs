@@ -20,7 +20,8 @@ use crate::search::Settings;
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum LoadLimit<const C: usize> {
-    /// The base load plus a multiple of the load can be balanced, up to this factor.
+    /// The base load plus the load times a factor can be balanced, for factors from zero up to a largest factor. Two bounds of the largest factor are
+    /// given.
     #[non_exhaustive]
     Factor {
         /// Lower bound of the largest load factor: with it the load can be balanced.

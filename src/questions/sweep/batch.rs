@@ -4,8 +4,8 @@ use crate::prelude::*;
 use crate::screening::{Batch, LoadCases, Pull, Screened, ScreenedGradients, ScreenedSqueeze};
 
 /// The load factor at which the first contact stops sticking, for each grasp of a batch and each of the growing loads: [`Batch::onsets_into`] on all
-/// cores. `answers` is overwritten and its memory reused. It then has the answers for the first grasp in the order of the loads, then the answers for
-/// the next grasp, and so on. [`Batch`] has an example.
+/// cores. `answers` is overwritten and its memory reused. Afterwards `answers` has the answers for the first grasp in the order of the loads, then
+/// the answers for the next grasp, and so on. [`Batch`] has an example.
 pub fn onsets_of_batch<const C: usize, const N: usize>(
     batch: &Batch<C, N>,
     pulls: &[Pull<C>],

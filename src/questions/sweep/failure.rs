@@ -61,8 +61,9 @@ pub(super) fn failures(
     }
 }
 
-/// The facets of a contact for which the joint effect of several data errors on the contact force is computed. These are all facets of a polygonal
-/// cone; of a round cone only the facet that most probably fails, to first order.
+/// The facets of a contact for which the interaction of the errors of several data is computed, i.e. the change of the contact force due to all
+/// errors together, less the sum of the changes due to single errors. A polygonal cone has all its facets in the list; a round cone has only the
+/// facet that most probably fails, to first order.
 pub(super) fn facets(edges: &Edges, here: &UncertainForce<'_>) -> Vec<SVector<f64, 3>> {
     match edges {
         Edges::Rows(rows) => rows.clone(),
@@ -83,7 +84,7 @@ pub(super) fn roughly(edges: &Edges, here: &UncertainForce<'_>) -> f64 {
     }
 }
 
-/// The direction in which a contact with a round cone most probably fails to first order, rad. Also the first-order reliability β in this direction:
+/// The direction, rad, in which a contact with a round cone most probably fails to first order, and the first-order reliability β in this direction:
 /// the margin over its standard deviation.
 fn worst_around(first_order: &FirstOrder, around: &Harmonic<SVector<f64, 3>>) -> (f64, f64) {
     let mut worst = (0.0, f64::INFINITY);

@@ -1,6 +1,6 @@
 //! The interaction of errors of several data in their effect on a contact force. It is the change of the force if all data are in error at once, less
 //! the sum of the changes due to each datum alone. It is computed at the point of failure of a facet: the smallest errors at which the margin of this
-//! facet vanishes (see [`margin`](super::margin)).
+//! facet vanishes (see [`margin`](super::margin)). A drive is a motor, clutch or tendon of a joint.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -32,8 +32,8 @@ pub(super) struct PerturbedGrasp {
     pub(super) load_spread: f64,
 }
 
-/// A random set of errors, in standard deviations, and the exact forces with it, N. No forces if a datum leaves its allowed range,
-/// or the grasp cannot hold the tension of a link.
+/// A random set of errors, in standard deviations, and the exact forces with these errors, N. The forces are `None` if a datum leaves its allowed
+/// range, or the grasp cannot hold the tension of a link.
 pub(super) struct Probe {
     z: Vec<f64>,
     forces: Option<Vec<SVector<f64, 3>>>,
@@ -65,9 +65,9 @@ impl PerturbedGrasp {
         numbered(PROBES, &probe)
     }
 
-    /// For each facet of a contact, the joint effect of all data errors on the contact force. This is the exact change less the sum of the changes
-    /// due to single errors, at the facet's point of failure under a load. Zero for facets whose failure probability is below `rare`; an empty list
-    /// without uncertain data. `probes` are those of [`Self::probes`] under the same load.
+    /// For each facet of a contact, the interaction of all data errors in the contact force: the exact change of the force less the sum of the
+    /// changes due to single errors, at the facet's point of failure under a load. Zero for facets whose failure probability is below `rare`; an
+    /// empty list without uncertain data. `probes` are those of [`Self::probes`] under the same load.
     pub(super) fn of_facets<'p>(
         &self,
         (i, edges): (usize, &Edges),

@@ -70,10 +70,10 @@ pub(super) struct FacetMargin {
     pub(super) fails_at: Vec<f64>,
     /// The point z before the last step of the search.
     from: Vec<f64>,
-    /// For each datum the polynomial of its change of the margin. Each coefficient has two parts: the change due to the normal force, which the
-    /// factor on friction multiplies, and the rest.
+    /// For each datum, the polynomial that gives the change of the margin as a function of the error of this datum. Each coefficient has two parts:
+    /// the change due to the normal force, which the factor on friction multiplies, and the rest.
     pub(super) parts: Vec<[[f64; 2]; LOOKED_AT.len()]>,
-    /// The point z at which `gradient` and `steepness` (its norm) were computed.
+    /// The point z at which `gradient`, and `steepness` (the norm of the gradient), were computed.
     pub(super) linearised_at: Vec<f64>,
     pub(super) gradient: Vec<f64>,
     pub(super) steepness: f64,
@@ -93,7 +93,8 @@ impl UncertainForce<'_> {
         FirstOrder { force: self.force, spread, friction: self.friction }
     }
 
-    /// The force for the data as given, N, plus the interaction of errors for the facet with the index `row`, from 0.
+    /// The force for the data as given, N, plus the interaction of the errors of all data that was computed for the facet with the index `row`, from
+    /// 0.
     fn known(&self, row: usize) -> SVector<f64, 3> {
         self.joint.get(row).map_or(self.force, |joint| self.force + joint.force)
     }
@@ -177,7 +178,7 @@ impl UncertainForce<'_> {
         (value, along): (f64, f64),
     ) -> f64 {
         let [from, to] = [&margin.from, &margin.fails_at].each(|z| dot(z, z));
-        // The weight c of the merit function is large enough for it to fall along a step to the zero of the linearised margin.
+        // The weight c is so large that the merit function falls along a step to the zero of the linearised margin.
         let dear = 2.0 * from.max(to).sqrt() / margin.steepness;
         let here = 0.5 * from + dear * value.abs();
         let [towards, rises] =
@@ -224,9 +225,9 @@ impl UncertainForce<'_> {
         factor * normal + other
     }
 
-    /// The mean number of crossings of the margin from positive to negative, per radian of the facet's angle θ. It is `φ(β) E[(X' - β')₊]` in the
-    /// symbols of [`super::failure`], times the second-order correction of the failure probability. `turned` is the derivative of the facet with
-    /// respect to θ.
+    /// How often, on average, the margin changes from positive to negative as the facet's angle θ grows, per radian. This is the integrand `φ(β)
+    /// E[(X' - β')₊]` that [`super::failure`] explains, times the second-order correction of the failure probability. `turned` is the derivative of
+    /// the facet with respect to θ.
     pub(super) fn crossings(&self, margin: &FacetMargin, turned: &SVector<f64, 3>) -> f64 {
         if margin.steepness == 0.0 {
             return 0.0;

@@ -1,5 +1,5 @@
-//! The load up to which all contacts of a grasp with uncertain data keep sticking with a given number of standard deviations in reserve. The base
-//! load acts before the load grows.
+//! The reserve: the load up to which all contacts of a grasp with uncertain data keep sticking, with a probability that is given as a number of
+//! standard deviations. The base load acts before the load grows.
 
 use super::interaction::PerturbedGrasp;
 use super::source_forces::{source_forces, unit};
@@ -12,8 +12,9 @@ use crate::grasp::{Engine, Wrench, face_of_struct, inside, same_on_both_sides};
 use crate::numerics::{Vector, numbered};
 use crate::prelude::*;
 
-/// The loads up to which all contacts of a grasp keep sticking with s standard deviations in reserve. They fail at most with the probability Φ(-s) of
-/// the normal distribution. A load of any direction is added to one base load. [`Grasp::reserve`](crate::ask::Grasp::reserve) returns this type.
+/// The loads up to which all contacts of a grasp keep sticking with s standard deviations in reserve. The probability that any contact stops sticking
+/// is at most Φ(-s), with the normal distribution Φ. A load of any direction is added to one base load.
+/// [`Grasp::reserve`](crate::ask::Grasp::reserve) returns this type.
 #[derive(Debug, Clone)]
 pub struct Reserve<const C: usize> {
     rest: BaseState,

@@ -20,9 +20,9 @@ use crate::numerics::{Each, normal_density, normal_tail};
 use crate::prelude::*;
 
 impl FacetMargin {
-    /// The failure probability divided by `Φ(-β)`, for a margin that is positive for the data as given. Its gradient at the point of failure is
-    /// stored in `self`. `joint` returns nᵀCn and |C|² for the matrix C of interactions of pairs of data, see the top of this file. The argument of
-    /// `joint` is the factor on friction.
+    /// The failure probability divided by `Φ(-β)`, for a margin that is positive for the data as given. The gradient of the margin at the point of
+    /// failure is stored in `self`. `joint` returns nᵀCn and |C|² for the matrix C of interactions of pairs of data, see the top of this file. The
+    /// argument of `joint` is the factor on friction.
     pub(super) fn curved(
         &self,
         involves_friction: bool,
@@ -99,8 +99,8 @@ mod tests {
         assert!(first_order < 0.9 * exact, "{first_order}");
     }
 
-    /// The friction force is 2 + z₁ + c z₂², with the errors z₁ and z₂ of two data in standard deviations. Its limit is 5. The margin is zero where
-    /// `z₁ + c z₂² = 3`.
+    /// The friction force is 2 + z₁ + c z₂², with the errors z₁ and z₂ of two data in standard deviations. The limit of the friction force is 5. The
+    /// margin is zero where `z₁ + c z₂² = 3`.
     #[test]
     fn a_datum_curves_a_margin() {
         for curved in [-0.1, 0.05, 0.1] {

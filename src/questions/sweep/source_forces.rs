@@ -1,5 +1,6 @@
 //! Contact forces as a sum over sources (commands with constant loads, each component of the load), and their changes if data are in error. The
-//! forces due to one source, together with these changes, are its [`SourceForces`]. Contacts stay sticking or open as under the base load.
+//! forces due to one source, together with these changes, are its [`SourceForces`]. Contacts stay sticking or open as under the base load. A drive is
+//! a motor, clutch or tendon of a joint.
 
 use core::slice::from_ref;
 
@@ -20,7 +21,7 @@ use crate::prelude::*;
 pub(super) struct SourceForces {
     /// The forces, N, for the data as given; for an open contact its gap, m.
     pub(super) known: Vec<SVector<f64, 3>>,
-    /// For each uncertain datum and each contact or drive, the change of the force due to an error of this datum, as a polynomial.
+    /// For each uncertain datum and each contact or drive, the change of the force as a polynomial in the error of this datum.
     pub(super) off: Vec<Vec<Effect>>,
 }
 

@@ -1,5 +1,7 @@
-//! A grasp in which all contacts stick under a base load. The file finds the probability that one of them stops sticking before a further load is
-//! applied in full. A source is one cause of contact forces. A drive is a motor, clutch or tendon of a joint.
+//! A grasp in which all contacts stick under a base load, and the probability that one of them stops sticking before a further load is applied in
+//! full. The required reliability `sigmas` is a number of standard deviations: the allowed probability is about Φ(-sigmas), with the normal
+//! distribution Φ. A facet is a plane that bounds a polygonal friction cone, or one that touches a round cone. A source is one cause of contact
+//! forces. A drive is a motor, clutch or tendon of a joint.
 //!
 //! While all contacts stick, forces are linear in the load, and margins are concave functions of it. Thus, if all contacts stick under the base load
 //! and with the whole further load, they stick in between. [`failure`](super::failure) gives the probability that a contact fails, i.e. stops
@@ -21,11 +23,11 @@ use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::numerics::{Each, IntoList, dot, largest, normal_tail};
 use crate::prelude::*;
 
-/// The joint effects of the data's errors (mixed second derivatives) are computed at the errors with which a margin vanishes. These errors depend on
-/// the joint effects in turn. Therefore both are computed this many times, the first time without joint effects.
+/// The interactions of the errors of data are computed at the smallest errors with which a margin vanishes. These errors depend on the interactions
+/// in turn. Therefore both are computed this number of times, the first time without interactions.
 const ROUNDS: usize = 2;
 
-/// For each contact or drive and each of its facets, the interaction of the errors of all data, with its mixed second derivatives.
+/// For each contact or drive and each of its facets, the interaction of the errors of all data.
 type Interactions = Vec<Vec<Interaction>>;
 
 /// A load added to the base load: `factor` times `direction`. One unit of `direction` causes the forces `rate`.
@@ -60,16 +62,16 @@ pub(super) struct StuckGrasp {
     sigmas: f64,
     /// Standard deviation σ of the logarithm of the coefficients of friction.
     friction: f64,
-    /// The relative growth of the load if its logarithm is in error by [`LOOKED_AT`] times `sigmas` standard deviations.
+    /// For each entry x of [`LOOKED_AT`], the relative growth of the load if its logarithm is in error by `x · sigmas` standard deviations.
     load: [f64; LOOKED_AT.len()],
     /// For each motion of the object that nothing resists, the work that 1 N or 1 N m of each component of the load does along this motion.
     unresisted: Vec<Wrench<3>>,
 }
 
 impl StuckGrasp {
-    /// Computes the interactions of the errors of data, and the possible failures of contacts to stick, both under the base load. `source_forces`
-    /// has, for each source, the contact forces and their changes due to errors of the data. The first source is commands together with constant
-    /// loads; then comes each component of the load.
+    /// Computes, under the base load, the interactions of the errors of data and the failures (contacts that stop sticking) that these errors may
+    /// cause. `source_forces` has, for each source, the contact forces and their changes due to errors of the data. The first source is commands
+    /// together with constant loads; then comes each component of the load.
     pub(super) fn new(
         off: PerturbedGrasp,
         edges: Vec<Edges>,
@@ -111,14 +113,14 @@ impl StuckGrasp {
         sticking
     }
 
-    /// The allowed probability that any contact stops sticking: `Φ(-sigmas)`, less the fraction [`NEGLECTED_SHARE`] that is kept for neglected
-    /// effects.
+    /// The allowed probability that any contact stops sticking: `Φ(-sigmas)`, reduced by the fraction [`NEGLECTED_SHARE`] because some effects are
+    /// neglected.
     fn allowed(&self) -> f64 {
         (1.0 - NEGLECTED_SHARE) * normal_tail(self.sigmas)
     }
 
-    /// The joint effects at the errors with which margins vanish, under the base load and, if given, a further load. These errors are computed with
-    /// the joint effects `before` of the previous round.
+    /// The interactions of the errors of data, at the smallest errors with which margins vanish, under the base load and, if given, a further load.
+    /// These errors are computed with the interactions `before` of the previous round.
     fn joint(&self, more: Option<AddedLoad<'_>>, before: &Interactions) -> Interactions {
         let load = more.map_or(self.base_load, |more| self.base_load + *more.direction * more.factor);
         let mut memory = Vec::new();
@@ -131,8 +133,8 @@ impl StuckGrasp {
         joint
     }
 
-    /// The largest factor on the further load `direction` with at most the allowed failure probability. Zero if nothing resists this load, or if the
-    /// failure probability under the base load alone exceeds the allowed one. Infinite if the factor has no limit.
+    /// The largest factor on the further load `direction` with at most the allowed failure probability. Zero if the load does work along a motion
+    /// that nothing resists, or if the failure probability under the base load alone exceeds the allowed one. Infinite if the factor has no limit.
     pub(super) fn most(&self, direction: &Wrench<3>) -> f64 {
         let size = largest(direction.components(), &|x| x.abs());
         let work = |motion: &Wrench<3>| dot(motion.components(), direction.components());
@@ -158,8 +160,8 @@ impl StuckGrasp {
         // A search with forces linearised in the data gives the starting value of the load factor.
         let guess = root(&roughly, (start, f64::NAN), far * start, 1e-3);
         let guess = if guess > 0.0 && guess.is_finite() { guess } else { start };
-        // The first secant step needs the derivative of the reliability with respect to the load factor. It is a difference quotient over this
-        // relative step of the load factor.
+        // The first secant step needs the derivative of the reliability with respect to the load factor. This derivative is approximated by a
+        // difference quotient over this relative step of the load factor.
         let apart = 1e-3;
         let slope = (roughly((1.0 + apart) * guess) - roughly(guess)) / (apart * guess);
         let (mut most, mut joint) = (guess, self.joint_at_base.clone());
@@ -229,8 +231,8 @@ fn reliability(fails: f64) -> f64 {
 }
 
 /// The root of an increasing function that is negative at zero, to the relative accuracy `precise`: the lower end of the last bracket. It is infinite
-/// if the function is still negative beyond `end`. Secant steps stay within the bracket. They start from a guess of the root and of the derivative
-/// `slope`, NaN if unknown.
+/// if the function is still negative beyond `end`. Secant steps start from a guess of the root and from the derivative `slope` (NaN if unknown), and
+/// stay within the bracket.
 fn root(f: &dyn Fn(f64) -> f64, (guess, mut slope): (f64, f64), end: f64, precise: f64) -> f64 {
     let (mut low, mut high) = (0.0, f64::INFINITY);
     let (mut at, mut last) = (guess, None);

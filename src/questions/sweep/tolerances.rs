@@ -1,4 +1,7 @@
-//! Accuracies of the load factors and failure probabilities of a reserve: the load up to which all contacts stick with a required probability.
+//! Accuracies of the load factors and failure probabilities of a reserve: the load up to which all contacts stick with a required probability. A
+//! facet is a plane that bounds a friction cone, or touches a round one; it fails if its margin is negative. The point of failure is the smallest set
+//! of data errors at which the margin vanishes. The interaction of errors is the change of a force due to all errors together, less the sum of the
+//! changes due to single errors.
 
 /// Relative accuracy of the load factor at which the failure probability equals the allowed one.
 ///
@@ -12,13 +15,14 @@ pub(super) const PRECISE_FACTOR: f64 = 1e-8;
 /// directions can miss the worst direction; each further direction costs a search.
 pub(super) const AROUND_A_CONE: usize = 16;
 
-/// Lower limit of the curvature terms (a diagonal entry, a determinant) by which a failure probability is corrected to second order.
+/// Lower limit of the terms (a diagonal entry, a determinant) that describe how a margin curves, and by which its failure probability is corrected to
+/// second order.
 ///
 /// For smaller terms the expansion about the point of failure no longer describes the margin. If smaller, corrected probabilities may become far too
 /// large, so that no reserve is left. If larger, frequent failures are taken as rare.
 pub(super) const LEAST_CURVED: f64 = 0.1;
 
-/// Fraction of the allowed failure probability that is kept back because effects of the interactions of data errors are neglected.
+/// Fraction by which the allowed failure probability is reduced, because some effects of the interactions of data errors are neglected.
 ///
 /// If larger, reserves are smaller. If smaller, grasps may slide more often than allowed.
 pub(super) const NEGLECTED_SHARE: f64 = 0.25;

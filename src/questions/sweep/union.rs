@@ -1,4 +1,6 @@
-//! An upper bound of the probability that any of several failures happens, if their margins are correlated.
+//! An upper bound of the probability that any of several failures happens, if their margins are correlated. A failure is a negative margin of a facet
+//! (a plane that bounds a friction cone, or touches a round one). The point of failure is the smallest set of errors of the data at which the margin
+//! vanishes. The reliability β is its size, in standard deviations.
 //!
 //! For failures E_i and a tree whose edges connect pairs (i, j) of them (Hunter, An upper bound for the probability of a union, 1976)
 //!
@@ -27,12 +29,12 @@ pub(super) struct Failures {
 struct Failure {
     probability: f64,
     reliability: f64,
-    /// The failure probability to first order, `Φ(-β)`.
+    /// The failure probability to first order, `Φ(-β)`, with the reliability β and the normal distribution Φ.
     first_order: f64,
     /// The contact, given by the index of its first point. The last entry of `gradient` is the derivative with respect to the coefficient of friction
     /// of this contact.
     contact: usize,
-    /// Gradient of the margin with respect to the data in standard deviations, friction last, scaled to length one.
+    /// Gradient of the margin with respect to the errors of the data in standard deviations, the error of friction last; scaled to length one.
     gradient: Vec<f64>,
 }
 
@@ -76,8 +78,8 @@ impl Failures {
 }
 
 impl Failure {
-    /// An approximate probability that both failures happen: the first-order probability that both happen, times the smaller of both second-order
-    /// corrections.
+    /// An approximate probability that both failures happen. The first-order probability of this is multiplied by the smaller of the two corrections
+    /// `probability / first_order`.
     fn with(&self, other: &Self) -> f64 {
         // Only points of one contact share their friction coefficient; the friction coefficients of different contacts are independent.
         let data = self.gradient.len() - usize::from(self.contact != other.contact);
