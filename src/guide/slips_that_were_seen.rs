@@ -6,7 +6,8 @@
 //! # A block is pushed about on three points. What is its friction, and what does each point carry?
 //!
 //! The table has a line `fx,fy,mz` for each of 50 pushes under which the block slid, measured by Zhou, Paolini, Bagnell and Mason (ICRA 2016). A
-//! scale gives the total load of the points, 14.876 N to 0.1 %.
+//! scale gives the total load of the three points, 14.876 N to 0.1 %. The option `--known 1+2+3=14.876,0.1` states this sum of the unknowns 1, 2 and
+//! 3, counted from 0.
 //!
 //! ```text
 //! $ grasp-lcp identify block.json block.csv --unknown friction --unknown carried=a --unknown carried=b --unknown carried=c --known 1+2+3=14.876,0.1

@@ -8,8 +8,8 @@ use core::fmt;
 use nalgebra::DVector;
 use thiserror::Error;
 
-/// The end of a solve, and the conclusion that it allows. S is the type of a solution, for example a [`Solution`] of an [`Lcp`](super::Lcp), or a
-/// view that borrows the memory of a solver ([`OutcomeView`]).
+/// The way a solve ended, and what this says about the problem. S is the type of a solution, for example a [`Solution`] of an [`Lcp`](super::Lcp), or
+/// a view that borrows the memory of a solver ([`OutcomeView`]).
 ///
 /// The first four variants state a fact about the problem; the last three leave it undecided. `Display` writes one line.
 #[derive(Debug, Clone, PartialEq)]

@@ -79,12 +79,13 @@ fn eliminate(a: &mut DMatrix<f64>, k: usize) {
     }
 }
 
-/// Whether a is a P-matrix.
+/// Whether the matrix `a` is a P-matrix.
 ///
-/// The first entry of a must be positive. Two smaller matrices must be P-matrices: a without its first row and column, and the Schur complement
+/// The first entry of `a` must be positive. Two smaller matrices must be P-matrices: `a` without its first row and column, and the Schur complement
 /// of the first entry.
 ///
-/// `m` has the rows and columns of a before any elimination. Pivots are compared with its diagonal.
+/// `m` holds the same rows and columns before any elimination. A pivot counts as positive if it exceeds [`ELIMINATED_PIVOT`] times the diagonal entry
+/// of `m`.
 fn minors_are_positive(mut a: DMatrix<f64>, m: &DMatrix<f64>) -> bool {
     let n = a.nrows();
     if n == 0 {

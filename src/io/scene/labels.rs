@@ -29,7 +29,7 @@ impl SceneNames<'_> {
     }
 
     /// An outcome of `solve` in the form of a scene's answers, with the labels of the scene. In an undecided outcome the counts of the solver's work
-    /// are set to zero.
+    /// are set to zero, since answers do not contain them.
     pub(super) fn outcome(&self, mut outcome: Outcome<3>) -> Outcome<3> {
         match &mut outcome {
             Outcome::Equilibrium(state) => **state = self.equilibrium(state.as_ref().clone()),

@@ -154,7 +154,7 @@ impl<'p> Drawing<'p> {
         most
     }
 
-    /// Scale of forces of all answers, m/N: the smallest of the scales that the answers would have alone.
+    /// Scale of forces of all answers, m/N: the smallest of the scales that the single answers would have.
     fn force_scale<'s>(&self, states: impl Iterator<Item = &'s Equilibrium>, largest: f64) -> f64 {
         let grasp = &self.page.grasp;
         let frames: Vec<_> = grasp.frames().list();
@@ -170,7 +170,7 @@ impl<'p> Drawing<'p> {
         states.map(scale).reduce(f64::min).unwrap_or_else(|| metres_per_newton(&[], self.size, largest))
     }
 
-    /// Sentences about the scales of the picture.
+    /// Sentences about the size of the grasp and the magnification of displacements, written beside the picture.
     pub(super) fn scales(&self) -> Vec<String> {
         let mut sentences = vec![format!("The grasp is {} m across.", short(self.span))];
         if self.displacement > 0.0 {
