@@ -8,7 +8,7 @@
 //! The vacuum is not a load of the question: the load in an answer is the weight and any other load that the question states. Unlike the force of a
 //! finger, the vacuum needs no support on the other side of the object, because it pulls on cup and object alike.
 //!
-//! | load | load at which the first point of the lip slides or opens | how |
+//! | load | load at which the first point of the lip slides or opens | what happens there |
 //! |---|---|---|
 //! | hang: a force away from the cup | V | all of the lip opens |
 //! | shear: a force along the lip, in its plane | μ V | all of it slides |

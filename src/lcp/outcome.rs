@@ -179,7 +179,7 @@ pub struct Ray {
     /// Direction ẑ (n entries, none negative, the largest 1), in the caller's units.
     #[cfg_attr(feature = "serde", serde(serialize_with = "super::written::list"))]
     pub direction: DVector<f64>,
-    /// Rate ẑ₀ ≥ 0 of the covering variable, for the direction as scaled here.
+    /// Rate ẑ₀ ≥ 0 of the covering variable, that belongs to `direction`, whose largest entry is 1.
     pub covering_rate: f64,
     /// Number of pivots on all paths.
     pub pivots: usize,

@@ -69,7 +69,7 @@ impl Setup<3> {
         self.entries().any(|entry| presses(entry.contact.normal.as_slice())) || self.links.iter().any(hangs)
     }
 
-    /// The warning that the grasp buckles at rest, if the scene has a question whose answer does not say so itself.
+    /// The warning that the grasp buckles at rest. `None` if it does not buckle, or if every answer already says so.
     pub(super) fn buckles_at_rest(&self, grasp: &Grasp<3>) -> Result<Option<Warning>, Error> {
         for question in &self.questions {
             let says_itself =

@@ -67,7 +67,7 @@ impl fmt::Display for Fault {
         if let Some(field) = &self.field {
             write!(f, "{}: ", printable(field))?;
         }
-        // The message may repeat any text of the input, also control characters.
+        // The message may repeat any text of the input, also control characters; `printable` escapes these.
         f.write_str(&printable(&self.message))
     }
 }

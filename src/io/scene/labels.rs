@@ -17,7 +17,7 @@ impl SceneNames<'_> {
         }
     }
 
-    /// Replaces the label that the grasp gives to a contact by the label of the scene.
+    /// Replaces the label that the grasp gives to a point contact by the label that the scene gives to it.
     pub(super) fn name(&self, contact: &mut ContactLabel) {
         *contact = self.label(contact.index);
     }

@@ -142,7 +142,7 @@ impl Setup<3> {
             warnings.push(Warning::HeavyLoad { force: heaviest, pressed });
         }
         let angle = largest(&self.questions, &turned);
-        // A load that turns comes back to its beginning after one turn.
+        // A load that turns comes back to its beginning after one turn. More than two turns are therefore probably an angle in degrees.
         if angle > 2.0 * TAU {
             warnings.push(Warning::ManyTurns { angle });
         }
@@ -282,7 +282,7 @@ fn points_out(outline: &[SVector<f64, 3>], point: &SVector<f64, 3>, normal: &SVe
     is_inside(outline, &(point - step)) && !is_inside(outline, &(point + step))
 }
 
-/// Whether a point lies inside a closed line in the plane, because a ray from it along x crosses the line an odd number of times.
+/// Whether a point lies inside a closed line in the plane. This is so if a ray from the point along x crosses the line an odd number of times.
 fn is_inside(outline: &[SVector<f64, 3>], point: &SVector<f64, 3>) -> bool {
     let crossed = chosen(outline.len(), &|k| {
         let (a, b) = (&outline[*k], &outline[(k + 1) % outline.len()]);

@@ -2,7 +2,7 @@
 
 /// Relative difference up to which the normal force without load counts as the given `pressed_with`.
 ///
-/// With a smaller value, a scene with rounded forces gets a warning. With a larger value, a wrong `pressed_with` gets no warning.
+/// With a smaller value, a scene with rounded forces would get a warning. With a larger value, a wrong `pressed_with` would get none.
 pub(super) const OTHERWISE_PRESSED: f64 = 0.02;
 
 /// Relative difference up to which two answers with different trial stiffnesses count as equal. If the answers are equal, the stiffness that the

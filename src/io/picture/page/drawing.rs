@@ -106,7 +106,7 @@ impl<'p> Drawing<'p> {
         };
         let states = || page.frames.iter().filter_map(Frame::state);
         let loads = || page.frames.iter().filter_map(Frame::load).map(|load| drawing.load(load));
-        // Arrows must remain visible even if a load acts far away, since the picture then shows a larger area.
+        // If a load acts far away, the picture shows a larger area. Its distance then determines the size, so that arrows remain visible.
         let away = |load: LoadArrow| (load.at - drawing.centre).norm();
         let size = loads().map(away).fold(span, f64::max);
         let mut largest = drawing.largest(states());
