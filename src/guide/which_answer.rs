@@ -10,8 +10,8 @@
 //! | `NoEquilibrium` | a [proof](crate::equilibrium::Proof) that quasi-static equilibrium is impossible | the grasp gives way; the motion in the proof shows how |
 //! | `Undecided` | neither an equilibrium nor a proof was found, for the [reason](crate::equilibrium::Doubt) in the answer | neither "holds" nor "fails": raise [`most_states`](crate::Settings::most_states), or treat it as a failure |
 //!
-//! `Undecided` has three causes. Many contacts are at the limit of friction. The load lies exactly on the boundary of the loads that the grasp can
-//! hold. The numbers of a scene differ so much in size that forces cannot be represented.
+//! `Undecided` has three causes. Many contacts are at the limit of friction. The load lies, up to rounding, on the boundary of the loads that the
+//! grasp can hold. The numbers of a scene differ so much in size that forces cannot be represented.
 //!
 //! # The quality of an equilibrium
 //!
