@@ -10,13 +10,13 @@
 //! | Round cone or polygon, and how many facets? | [`choosing_facets`] |
 //! | Where should fingers be, and how hard should they press? | [`choosing_fingers`] |
 //! | How is a grasp watched a thousand times a second, on a controller without an operating system? | [`control_loop`] |
-//! | Is the object caught, or does it fall at the first slip? | [`kinetic_friction`] |
+//! | Is the object caught again after the first slip, or does it fall? | [`kinetic_friction`] |
 //! | How are wedges, vices, stacks and arches described, with several bodies? | [`several_bodies`] |
-//! | Does it survive shaking, and which objects walk out? | [`loads_that_repeat`] |
+//! | Does the grasp survive shaking, or does the object creep out of it? | [`loads_that_repeat`] |
 //! | Which friction, loads of supports and squeeze follow from observed slips? | [`slips_that_were_seen`] |
 //! | How is a suction cup described, and when does it let go? | [`suction_cups`] |
-//! | Which stiffness, which answers depend on it, what do a pad's strips cost, where do its sides lie? | [`pads_and_stiffness`] |
-//! | How are joints, tendons, stalled motors and held forces described, and what do they change? | [`hands`] |
+//! | Which stiffness is entered, and which answers depend on it? What do a pad's strips cost, and where do its sides lie? | [`pads_and_stiffness`] |
+//! | How are joints, tendons, stalled motors and constant finger forces described, and what do they change? | [`hands`] |
 //!
 //! The pages have no items of their own; their examples are compiled and run as tests.
 

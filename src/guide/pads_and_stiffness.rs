@@ -1,6 +1,6 @@
-//! Pads and stiffness: which stiffness to enter, which answers depend on it, what a pad's strips cost, and where its sides lie.
+//! Pads and stiffness: which stiffness to enter, which answers depend on stiffness, what a pad's strips cost, and where its sides lie.
 //!
-//! # Which answers depend on it
+//! # Which answers depend on stiffness
 //!
 //! If fingers press with given forces (`pressed_with`, `force`, suction), only **ratios** of stiffnesses decide how contacts share a load. If all
 //! springs become ten times as stiff, contact forces and the loads at first slip and at loss of equilibrium stay the same. Displacements become a
@@ -87,12 +87,14 @@
 //!
 //! # What strips cost
 //!
-//! Each half of a side is divided into `strips` of two points each: the default `[1, 1]` gives 16 points, `[2, 2]` gives 64. For any number of strips, tilting and twisting
-//! stiffness, first opening and first sliding are those of the uniform pad. Only the transition from first to gross sliding is coarser. Computing time grows faster than the
-//! number of points. The report `pad_strips` prints error and time for a gripper whose pads are twisted and pulled at once.
+//! Each half of a side is divided into `strips` of two points each: the default `[1, 1]` gives 16 points, `[2, 2]` gives 64. For any number of
+//! strips, tilting and twisting stiffness, first opening and first sliding are those of the uniform pad. Only the transition from first to gross
+//! sliding is coarser. Computing time grows faster than the number of points. The program `pad_strips` in `examples/reports` prints error and time
+//! for a gripper whose pads are twisted and pulled at once.
 //!
 //! # Joints, meshes, simulators
 //!
 //! * Joints, motors and tendons: [`hands`](super::hands), the scene `three_joint_pinch.json`, `grasp-lcp new hand`; in Python `help(Grasp.from_dict)`.
-//! * A mesh: `grasp-lcp new grip part.stl --jaws 20x30mm --force 40` writes a scene; `parts/bracket.json` is one; the report `from_mesh` and `crate::touch` in Rust.
+//! * A mesh: `grasp-lcp new grip part.stl --jaws 20x30mm --force 40` writes a scene; `parts/bracket.json` is one; the program `from_mesh` in
+//!   `examples/reports`, and the module `touch` in Rust.
 //! * MuJoCo: `python/examples/mujoco_creep.py` takes the contacts of a grasp from it, `mujoco_watch.py` its forces a thousand times a second.

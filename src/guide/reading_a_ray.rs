@@ -28,7 +28,7 @@
 //!
 //! The check computes all sums without rounding. A matrix M and a vector q that were computed with rounding usually are infeasible only up to
 //! rounding. [`NearlyInfeasible`](crate::lcp::Outcome::NearlyInfeasible) has a y for an M and q that differ from the given ones by rounding, and
-//! [`Lcp::least_feasible`](crate::lcp::Lcp::least_feasible) says how large every z would have to be.
+//! [`Lcp::least_feasible`](crate::lcp::Lcp::least_feasible) gives a lower bound on Σ z_j for every z ≥ 0 with M z + q ≥ 0.
 //!
 //! [`NoBasis`](crate::lcp::Outcome::NoBasis): it is proved for each of the 2ⁿ complementary bases that no solution belongs to it, thus no solution
 //! exists.
@@ -41,13 +41,13 @@
 //! A free motion is detected before any path is followed. After a ray [`Grasp::solve`](crate::ask::Grasp::solve) tries another
 //! [formulation](crate::forms) of the problem. It then searches for a proof on the grasp itself, in this order:
 //!
-//! | [`Proof`](crate::equilibrium::Proof) | its motion | meaning | remedy |
+//! | [`Proof`](crate::equilibrium::Proof) | motion in the proof | meaning | remedy |
 //! |---|---|---|---|
 //! | `FreeMotion` | nothing resists it in any state | a degree of freedom without springs | another contact, [`SoftFingertip`](crate::grasp::SoftFingertip)s |
 //! | `SeparatingMotion` | the load drives it, no admissible force works against it | the load is too large for the friction cones, or has the wrong direction, for any stiffness and squeeze | more friction, other contact points |
 //! | `EveryStateTried` | – | forces in the cones could balance the load, but springs and commands do not produce them | more squeeze |
 //! | `EveryCaseContradicted` | – | as `EveryStateTried`, on the round cone: directions of friction are divided into cases, and each case is contradicted | more squeeze |
-//! | `Undecided`: `RayWithoutProof` | – | no proof was found, and there are too many contacts to try all states | [`most_states`](crate::Settings::most_states), or the load path, which does not need the ray |
+//! | `Undecided`: `RayWithoutProof` | – | no proof was found, and there are too many contacts to try all states | raise [`most_states`](crate::Settings::most_states), or let the load grow from zero with [`follow`](crate::ask::Grasp::follow), which does not depend on the ray |
 //!
 //! ```
 //! use grasp_lcp::equilibrium::{Outcome, Proof};

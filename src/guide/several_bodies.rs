@@ -23,7 +23,7 @@
 //! HOLDS, everything sticks: 283.494 N (1.13397 times this load) until the first slip (fixed jaw), 300 N (1.2 times) until it is lost
 //! ```
 //!
-//! The part is lost at 300 N, twice 0.3 · 500 N. The moving jaw is a body of its own. The screw pushes it along its guide, and it turns a little
+//! The part slips out at 300 N, twice 0.3 · 500 N. The moving jaw is a body of its own. The screw pushes it along its guide, and it turns a little
 //! under the pull. The jaws therefore share the pull unequally, and the fixed jaw slips first. The table below the answer has the force and moment of
 //! the guide, a link: 119 N and 2.1 N m.
 //!
@@ -47,9 +47,9 @@
 //!   with less: SLIPS OUT at once, under any part of 200 N: block moves along −y
 //! ```
 //!
-//! Ropes at 45° pull each lever upwards with W/2, and inwards with the same force. About the pin the arms are 0.2 m and 0.15 m above it, 0.15 m and
-//! 0.3 m below. Each jaw then presses with 0.25/0.3 W and has to carry W/2, for any W: `μ = 0.6`. Ropes are links that go slack where they would have
-//! to push.
+//! Ropes at 45° pull each lever upwards with W/2, and inwards with the same force. The lever arms about the pin are 0.2 m and 0.15 m above it, 0.15 m
+//! and 0.3 m below. Each jaw then presses with 0.25/0.3 W and has to carry W/2, for any W: `μ = 0.6`. Ropes are links that go slack where they would
+//! have to push.
 //!
 //! # Do three parts side by side stay in one gripper?
 //!
@@ -58,8 +58,8 @@
 //! HOLDS, everything sticks: 27.7894 N (4.72128 times this load) until the first slip (joint a–b and joint b–c), 40 N (6.79578 times) until it is lost
 //! ```
 //!
-//! Only the part in the middle hangs on the joints: 2 · 0.2 · 40 N is 8.2 times its weight. The parts turn before friction of the joints is used up,
-//! which lowers the limit to 6.8 times.
+//! The joints a–b and b–c are the faces at which the parts touch. Only the part in the middle hangs on them: their friction, 2 · 0.2 · 40 N, is 8.2
+//! times its weight. The parts turn before this friction is used up, which lowers the limit to 6.8 times.
 //!
 //! # How far may a tray be tilted with a stack on it?
 //!
@@ -155,6 +155,6 @@
 //! The measure of Ferrari and Canny, limit analysis, the least squeeze over loads and screening accept a single object only. Links are exact to first
 //! order, like all displacements: the tension of a cable keeps its direction as its line turns. The equations of many bodies are ordered by body, and
 //! bodies that touch are close to each other in this order. A wall of 1 000 bricks settles in about a second, and `hold` follows a push until it is
-//! lost in some seconds: the reports `several_bodies` and `scaling` have the times. These times are for the plane. In space half a brick rests on
-//! four points; a wall of 36 bricks takes a tenth of a second, one of 100 bricks some seconds. For a structure that cannot stand, the proof takes no
-//! longer.
+//! lost in some seconds: the programs `several_bodies` and `scaling` in `examples/reports` print the times. These times are for the plane. In space
+//! half a brick rests on four points; a wall of 36 bricks takes a tenth of a second, one of 100 bricks some seconds. For a structure that cannot
+//! stand, the proof takes no longer.

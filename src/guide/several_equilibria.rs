@@ -1,9 +1,9 @@
 //! Several equilibria under one load, and which of them is real.
 //!
-//! Coulomb's law is not the condition of a minimum. If friction is large enough to hold a body against the springs that support it, the same load may
-//! have an equilibrium with a sticking contact, one with a sliding contact and one with an open contact (A. Klarbring, "Examples of non-uniqueness
-//! and non-existence of solutions to quasistatic contact problems with friction", *Ingenieur-Archiv* 60, 1990). In his example, with numbers, springs
-//! hold a body above a floor. Pulled along the floor the body is lifted by its springs, since their stiffness
+//! Coulomb's law is not the condition for a minimum of an energy. If friction is large enough to hold a body against the springs that support it, the
+//! same load may have an equilibrium with a sticking contact, one with a sliding contact and one with an open contact (A. Klarbring, "Examples of
+//! non-uniqueness and non-existence of solutions to quasistatic contact problems with friction", *Ingenieur-Archiv* 60, 1990). In his example, with
+//! numbers, springs hold a body above a floor. Pulled along the floor the body is lifted by its springs, since their stiffness
 //!
 //! ```text
 //! K = ⎡ 2 -1⎤      couples the two directions,      K⁻¹ = ⅓ ⎡2 1⎤      and  μ = 3 > K_tt / |K_tn| = 2.
@@ -53,10 +53,11 @@
 //!
 //! * everything sticks;
 //! * everything that touches sticks;
-//! * in space, with fewer than 32 contacts, the state to which the stuck grasp relaxes by viscous slip, if such a state is found;
+//! * in space, with fewer than 32 contacts, the state to which viscous slip leads from the state in which everything sticks, if it leads to an
+//!   equilibrium;
 //! * in space and from 32 contacts on, the state that Newton's method reaches from the elastic trial state;
 //! * the end of a path of Lemke's method;
-//! * the first of all combinations of contact states.
+//! * the first combination of contact states, in a fixed order, that has an equilibrium.
 //!
 //! [`Equilibrium::rule`](crate::equilibrium::Equilibrium::rule) names the method that found the equilibrium. The order is the same for every number
 //! of threads, but it is a convention, not physics. Relaxation by viscous slip makes the returned equilibrium continuous. For nearly equal loads,

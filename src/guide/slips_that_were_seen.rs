@@ -6,7 +6,8 @@
 //! # A block is pushed about on three points. What is its friction, and what does each point carry?
 //!
 //! The table has a line `fx,fy,mz` for each of 50 pushes under which the block slid, measured by Zhou, Paolini, Bagnell and Mason (ICRA 2016). A
-//! scale gives the total load of the points, 14.876 N to 0.1 %.
+//! scale gives the total load of the three points, 14.876 N to 0.1 %. The option `--known 1+2+3=14.876,0.1` states this sum of the unknowns 1, 2 and
+//! 3, counted from 0.
 //!
 //! ```text
 //! $ grasp-lcp identify block.json block.csv --unknown friction --unknown carried=a --unknown carried=b --unknown carried=c --known 1+2+3=14.876,0.1
@@ -42,8 +43,9 @@
 //! | `squeeze` | factor of the given clamping forces | friction |
 //! | `stiffness` | factor of the given tangential stiffness | friction; only first slips determine it |
 //!
-//! Gross slip is easy to observe, and usually depends on friction and normal forces alone. First slip also depends on stiffness: use `slip` in the
-//! table, or `--first`. Several unknowns need loads with several directions or moments: slips that always occur in the same way determine one number.
+//! Gross slip, in which the whole object slides, is easy to observe, and usually depends on friction and normal forces alone. First slip, of a single
+//! contact, also depends on stiffness. A column `slip` of the table, or `--first`, says which of the two was observed. Several unknowns need loads
+//! with several directions or moments: slips that always occur in the same way determine one number.
 //!
 //! Of two jaws the one with less friction slips. Such slips determine its coefficient, but not which jaw it is: *one of the two is 0.423 ± 0.004, which one is not fixed*. The
 //! answer then has the estimates of each assignment. Slips under loads nearer to one jaw decide between the assignments.

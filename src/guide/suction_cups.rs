@@ -8,7 +8,7 @@
 //! The vacuum is not a load of the question: the load in an answer is the weight and any other load that the question states. Unlike the force of a
 //! finger, the vacuum needs no support on the other side of the object, because it pulls on cup and object alike.
 //!
-//! | load | load at which the first point of the lip slides or opens | how |
+//! | load | load at which the first point of the lip slides or opens | what happens there |
 //! |---|---|---|
 //! | hang: a force away from the cup | V | all of the lip opens |
 //! | shear: a force along the lip, in its plane | μ V | all of it slides |
@@ -16,11 +16,12 @@
 //! | spin: a moment about the normal | μ V R | all of it slides |
 //!
 //! A point of a real lip that opens lets air in: the cup leaks. [`Grasp::hold`](crate::ask::Grasp::hold) and all questions that build on it count a
-//! load as held up to the opening of the first point. An equilibrium beyond it carries a caution, since it assumes that the vacuum lasts, as it may
-//! with a bellows that follows the object. When the lip is open all around, the cup lets go, and a load path ends. If an equilibrium is computed under
-//! a larger load, its [`open_cups`](crate::equilibrium::Equilibrium::open_cups) list the cup: the vacuum is gone, and this equilibrium does not hold.
-//! [`SuctionCup`](crate::grasp::SuctionCup) lists the behaviour in other questions. A load that combines hang, shear, peel or spin has no such short formula; [`Grasp::onset`](crate::ask::Grasp::onset) answers for it.
-//! [`Grasp::need`](crate::ask::Grasp::need) for a squeeze returns the required vacuum.
+//! load as held up to the opening of the first point. An equilibrium beyond this opening carries a caution: it assumes that the vacuum lasts, as may
+//! be the case with a bellows that follows the object. When the lip is open all around, the cup lets go, and a load path ends. If an equilibrium is
+//! computed under a larger load, its [`open_cups`](crate::equilibrium::Equilibrium::open_cups) list the cup: the vacuum is gone, and this equilibrium
+//! does not hold. [`SuctionCup`](crate::grasp::SuctionCup) lists the behaviour in other questions. A load that combines hang, shear, peel or spin has
+//! no such short formula; [`Grasp::onset`](crate::ask::Grasp::onset) answers for it. [`Grasp::need`](crate::ask::Grasp::need) for a squeeze returns
+//! the required vacuum.
 //!
 //! ```
 //! use grasp_lcp::need::Need;

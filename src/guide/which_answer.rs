@@ -10,7 +10,7 @@
 //! | `NoEquilibrium` | a [proof](crate::equilibrium::Proof) that quasi-static equilibrium is impossible | the grasp gives way; the motion in the proof shows how |
 //! | `Undecided` | neither an equilibrium nor a proof was found, for the [reason](crate::equilibrium::Doubt) in the answer | neither "holds" nor "fails": raise [`most_states`](crate::Settings::most_states), or treat it as a failure |
 //!
-//! `Undecided` has three causes. Many contacts are at the limit of friction. The load is, to the last digit, on the boundary of the loads that the
+//! `Undecided` has three causes. Many contacts are at the limit of friction. The load lies, up to rounding, on the boundary of the loads that the
 //! grasp can hold. The numbers of a scene differ so much in size that forces cannot be represented.
 //!
 //! # The quality of an equilibrium
@@ -19,9 +19,9 @@
 //!   gaps, recomputed from contacts, commands and load; about 1e-16. They show that the answer solves the question, not that the numbers of the
 //!   question are accurate.
 //! * [`accuracy`](crate::ask::Grasp::accuracy): the estimated distance of forces (N) and displacements (m) to the exact solution for the contact
-//!   states of the answer. In comparisons with exact arithmetic the true distance is at most ten times the estimate. The condition is the relative
-//!   change of the forces divided by the relative change of the numbers of the question. If a sensor is known to 1 % and the condition is 50, no
-//!   digit of a force is reliable, however small the residual.
+//!   states of the answer. In comparisons with exact arithmetic the true distance is at most ten times the estimate. Its field `condition` is the
+//!   condition number: the relative error of the forces divided by the relative error of the numbers of the question. If a measured number is known
+//!   to 1 % and the condition number is 50, no digit of a force is reliable, however small the residual.
 //! * [`distinct`](crate::ask::Grasp::distinct): whether rounding errors are too small to change the state of a contact. Exactly at the onset of
 //!   sliding, a sticking and a sliding contact have the same forces. The state then depends on rounding, and `distinct` says so.
 //! * [`margin`](crate::equilibrium::ContactAnswer::margin): the distance of a contact force from the edge of its friction cone, `μ F_n - |F_t|`, N.
@@ -30,7 +30,7 @@
 //!   (clamping force).
 //! * [`free_motions`](crate::equilibrium::Equilibrium::free_motions): motions of the object that nothing resists. The forces are determined; the
 //!   twist is one of many possible twists.
-//! * [`rule`](crate::equilibrium::Equilibrium::rule): the method that found the equilibrium. With any other rule than
+//! * [`rule`](crate::equilibrium::Equilibrium::rule): the rule by which the equilibrium was found. With any other rule than
 //!   [`EverythingSticks`](crate::equilibrium::FoundBy::EverythingSticks) the equilibrium may be one of several: see
 //!   [`several_equilibria`](super::several_equilibria).
 //!
@@ -43,8 +43,8 @@
 //! | Where does the object come to rest after loading and unloading? | [`Grasp::follow`](crate::ask::Grasp::follow) | `solve` knows no history: all slip starts from zero |
 //! | Which of a million grasps? | [`screening`](crate::screening) | the same load or angle at first slip, or the same least squeeze, without the rest of the answer |
 //! | How do the onsets of a million grasps change with all their data? | [`onset_gradients_of_batch`](crate::sweep::onset_gradients_of_batch) | exact derivatives of the onset, and whether they hold on one side only |
-//! | Which margin do the measured forces have, in a control loop? | [`Fingers::watch`](crate::screening::Fingers::watch) | distance to the friction limit (N), load at first slip and extra squeeze, without an allocation |
-//! | Can the minimum of energy be used? | [`agreement_with_minimum_energy`](crate::ask::Energy::agreement) | beyond the load factor of this answer, the quadratic program returns forces that do not balance the load |
+//! | Which margin do the measured forces have, in a control loop? | [`Fingers::watch`](crate::screening::Fingers::watch) | distance to the friction limit (N), load at first slip and the additional squeeze that is needed, without a memory allocation |
+//! | Can the quadratic program of minimum energy be used? | [`Energy::agreement`](crate::ask::Energy::agreement) | beyond the load factor of this answer, the quadratic program returns forces that do not balance the load |
 //!
 //! ```
 //! use grasp_lcp::load_path::{Leg, PathEnd};

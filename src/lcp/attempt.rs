@@ -38,8 +38,8 @@ impl Workspace {
         settings.check(&lcp.q).err().map(|cause| Outcome::Breakdown { pivots: 0, cause })
     }
 
-    /// Stores the covering vector d of w = q + M z + d z₀ in the path: that of the settings, multiplied by the scale factors of the rows.
-    /// Without one in the settings every entry is 1, up to the rounding of the scale factors to powers of two.
+    /// Stores the covering vector d of w = q + M z + d z₀ in the path: that of the settings, multiplied by the scale factors of the rows. Without a
+    /// covering vector in the settings, every entry of d is 1 up to the rounding of the scale factors to powers of two.
     fn cover(&mut self, settings: &Settings) {
         let path = &mut self.path;
         match &settings.covering {
@@ -70,8 +70,8 @@ impl Workspace {
         })
     }
 
-    /// Checks the complementary point at the end of a path. If rounding has led to a point that fails the check, the path is resumed from the basis
-    /// of this point, up to three times. `None` if one of the end points is a solution.
+    /// Checks the complementary point at the end of a path. If the point fails the check because of rounding, the path is resumed from the basis of
+    /// this point, up to three times. `None` if one of the end points is a solution.
     pub(super) fn finish_or_resume(
         &mut self,
         lcp: &Lcp,

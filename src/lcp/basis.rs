@@ -5,8 +5,8 @@ use crate::prelude::*;
 
 /// A complementary basis: of every pair (w_i, z_i) one variable is basic, the other is nonbasic and zero.
 ///
-/// Let α be the set of i with z_i basic. The basis is regular if the principal block M_αα is regular. Its point is then z_α = −M_αα⁻¹ q_α, z = 0
-/// elsewhere, w = M z + q (Cottle, Pang & Stone, *The Linear Complementarity Problem*, 1992).
+/// Let α be the set of i with z_i basic. The basis is regular if the principal block M_αα is regular. The point of the basis is then z_α = −M_αα⁻¹
+/// q_α, z = 0 elsewhere, w = M z + q (Cottle, Pang & Stone, *The Linear Complementarity Problem*, 1992).
 #[derive(Debug, Clone, PartialEq, Eq, Hash, Default)]
 pub struct Basis {
     basic_z: Vec<bool>,

@@ -12,9 +12,9 @@ use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::numerics::vector_of;
 use nalgebra::DVector;
 
-/// The outcome of a Lemke path at whose end the variable `entering` grows without bound. If the direction of this ray is a Farkas vector, the
-/// outcome is a proof. Otherwise the outcome is the ray, in the caller's units and with largest entry 1. `None` if the ray overflows in these
-/// units.
+/// The outcome of a Lemke path at whose end the variable `entering` grows without bound. If the direction of this ray is a Farkas vector, the outcome
+/// is a proof. Otherwise the outcome is the ray, in the caller's units and with largest entry 1. `None` if an entry of the ray overflows in the
+/// caller's units.
 pub(super) fn ray(lcp: &Lcp, path: &LemkePath, entering: LemkeVariable) -> Option<Unsolved> {
     let mut rates = DVector::zeros(lcp.len());
     let mut covering_rate = 0.0;

@@ -198,8 +198,8 @@ impl Workspace {
         }
     }
 
-    /// Accepts the point (`None`) if its residuals are within the tolerance of the settings, unless it also solves the problem for a very different
-    /// q. Otherwise returns the breakdown.
+    /// Accepts the point (`None`) if its residuals are within the tolerance of the settings, unless q is smaller than the rounding errors of M z: the
+    /// point then also solves problems with a very different q. Otherwise returns the breakdown.
     fn conclude(&mut self, lcp: &Lcp, residuals: Residuals, settings: &Settings) -> Option<Unsolved> {
         let cause = if residuals == Residuals::UNUSABLE {
             BreakdownCause::Overflow

@@ -31,7 +31,7 @@ use super::tolerances::{RETIRING_PIVOT, STORED_ROUNDING};
 use crate::numerics::wide;
 use crate::prelude::*;
 
-/// A variable of the augmented problem w = q + M z + d z₀: w_i, z_i, or the covering variable z₀.
+/// One of the 2n + 1 variables of the augmented problem w = q + M z + d z₀: w_i, z_i, or the covering variable z₀.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum LemkeVariable {
     W(usize),
@@ -50,7 +50,7 @@ impl LemkeVariable {
     }
 }
 
-/// The dictionary of one basis of a balanced problem. The memory of its vectors is reused.
+/// The dictionary of one basis of a balanced problem. The memory of its vectors is reused from problem to problem.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Dictionary {
     n: usize,
@@ -64,11 +64,11 @@ pub(super) struct Dictionary {
     columns: Vec<f64>,
     /// Values x of the basic variables, one for each row.
     pub(super) x: Vec<f64>,
-    /// For each row, the change of its basic variable per unit of ε if ε p is added to q. It breaks ties between rows.
+    /// For each row, the change of its basic variable per unit of ε if ε p is added to q. These changes break ties between rows.
     pub(super) p: Vec<f64>,
-    /// For each row, the size of the terms from which its value in `x` was computed; the rounding error of the value is proportional to it.
-    /// [`Self::sum_terms`] sets it to the sum of their magnitudes. Each later pivot raises this size to the magnitude of the term that the pivot
-    /// adds, if that is larger.
+    /// For each row, the size of the terms from which its value in `x` was computed; the rounding error of the value is proportional to this size.
+    /// [`Self::sum_terms`] sets the size to the sum of the magnitudes of the terms. Each later pivot raises it to the magnitude of the term that the
+    /// pivot adds, if that is larger.
     pub(super) term_sizes: Vec<f64>,
     /// The column of the entering variable: for each row, the change of the basic variable per unit of the entering variable.
     pub(super) u: Vec<f64>,

@@ -100,7 +100,7 @@ pub(super) fn at_corner(lcp: &Lcp, settings: &Settings) -> Option<Solution> {
     })
 }
 
-/// The state of an enumeration of all complementary bases of one problem.
+/// An enumeration of complementary bases of one problem, with the solutions found so far.
 struct Search<'a> {
     lcp: &'a Lcp,
     settings: &'a Settings,
@@ -109,8 +109,9 @@ struct Search<'a> {
 }
 
 impl Search<'_> {
-    /// Adds the point with the values `basic` of z_α, and z = 0 elsewhere, if it solves the problem and is not known yet. α is the list `alpha`
-    /// of basic z. Returns the basis of the solution, new or known; `None` if the point is no solution.
+    /// Adds the point with the values `basic` of z_α and z = 0 elsewhere to the solutions, if it solves the problem and is new. α is the list
+    /// `alpha`. A point that is already known is marked as degenerate. Returns the basis of the solution, new or known; `None` if the point is no
+    /// solution.
     fn offer(&mut self, alpha: &[usize], basic: &DVector<f64>) -> Option<Basis> {
         let solution = self
             .solution_at(alpha, basic)

@@ -7,9 +7,9 @@
 //! v_ᾱ ≥ 0,     (Mᵀv)_α ≤ 0,     qᵀv < 0
 //! ```
 //!
-//! If the principal block M_αα is regular and its point violates a condition, v is derived from a row of the inverse of the block. The sums (Mᵀv)_α,
-//! which would be zero, are shifted slightly below zero, so that rounding cannot make them positive. For singular blocks v comes from a linear
-//! program. Every v is checked by sums without rounding; if none passes, the basis is not excluded.
+//! If the principal block M_αα is regular and the point of the basis violates a condition of the piece, v is derived from a row of the inverse of the
+//! block. The sums (Mᵀv)_α, which would be zero, are shifted slightly below zero, so that rounding cannot make them positive. For singular blocks v
+//! comes from a linear program. Every v is checked by sums without rounding; if none passes, the basis is not excluded.
 
 use super::farkas::{Domain, cleaned};
 use super::linear_program::{self, MARGINS};
@@ -35,8 +35,7 @@ struct ExclusionTest<'a> {
     lcp: &'a Lcp,
     scaling: &'a Scaling,
     settings: &'a Settings,
-    /// The matrix M, its rows and columns scaled such that nonzero entries lie near 1. The right-hand side `q` is multiplied by the same factors of
-    /// rows.
+    /// The matrix M with scaled rows and columns, so that nonzero entries lie near 1. The right-hand side `q` is multiplied by the same row factors.
     m: DMatrix<f64>,
     q: DVector<f64>,
 }
@@ -71,8 +70,8 @@ impl ExclusionTest<'_> {
         let reach = z.iter().map(|z| z.abs()).sum::<f64>();
         increasing(&values).into_iter().take(3).any(|position| {
             let (value, which) = &broken[position];
-            // The proof needs (Mᵀv)_α ≤ 0 and qᵀv < 0. Shifting (Mᵀv)_α below zero raises qᵀv by at most this fraction of its magnitude. With a value
-            // near 0 or 1 rounding would decide one of the two signs.
+            // The proof needs (Mᵀv)_α ≤ 0 and qᵀv < 0. A shift of (Mᵀv)_α below zero raises the negative qᵀv, and may use up this fraction of its
+            // magnitude. With a fraction near 0 or 1, rounding would decide the sign of (Mᵀv)_α or of qᵀv.
             let used_up = 0.25;
             let push = if reach > 0.0 { used_up * -value / reach } else { used_up };
             let mut target = DVector::from_element(size, -push);
@@ -93,8 +92,8 @@ impl ExclusionTest<'_> {
     }
 
     /// Whether a dual solution of a linear program, taken as the vector v of the proof, excludes the basis α. The program minimises the largest
-    /// violation of the conditions z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0. One dual solution is computed for each margin δ in [`MARGINS`], by
-    /// which its constraints are tightened.
+    /// violation of the conditions z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0. For each margin δ in [`MARGINS`], the constraints of the dual program
+    /// are tightened by δ, which gives one dual solution.
     fn by_linear_program(&self, alpha: &[usize]) -> bool {
         let program = |margin| linear_program::of_piece((&self.m, &self.q), alpha, margin, self.settings);
         MARGINS.into_iter().filter_map(program).any(|program| self.proves(alpha, &program.y))

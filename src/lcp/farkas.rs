@@ -83,21 +83,22 @@ impl Lcp {
         if let Some(y) = cleaned(y).find(|y| self.proves_infeasible(y)) {
             return Some(Outcome::Infeasible(certificate(y)));
         }
-        // The first two vectors of `cleaned` have the computed entries, the others integers. Integers that are no exact Farkas vector are no
-        // proof up to rounding either.
+        // The first two vectors of `cleaned` have the computed entries, the others integers. Only computed entries are tried here: an integer vector
+        // that is no exact Farkas vector proves nothing.
         let nearly = cleaned(y).take(2).find(|y| self.nearly_proves(y));
         nearly.map(|y| Outcome::NearlyInfeasible(certificate(y)))
     }
 
-    /// Whether y ≥ 0 is a Farkas vector up to rounding. Let c = 8 (n + 2) ε, ε = 2⁻⁵². Each (Mᵀy)_j must be at most c times the magnitude of its
-    /// terms, and qᵀy must be less than −c times the magnitude of its terms.
+    /// Whether y ≥ 0 is a Farkas vector up to rounding. Let c = 8 (n + 2) ε, ε = 2⁻⁵². Each (Mᵀy)_j must be at most c Σ_i |M_ij y_i|, and qᵀy must be
+    /// less than −c Σ_i |q_i y_i|.
     fn nearly_proves(&self, y: &DVector<f64>) -> bool {
         let rounding = sum_rounding(self.len());
         let sums = |column: &[f64]| {
             let mut sums = (0.0, 0.0, true);
             for (m, y) in column.iter().zip(y) {
                 let term: f64 = m * y;
-                // A product that underflows has lost more digits than relative rounding explains, so the bound on the error does not hold.
+                // A product that underflows has lost more digits than rounding to relative accuracy ε. The bound on the error of the sum then does
+                // not hold.
                 let kept = *m == 0.0 || *y == 0.0 || term.is_normal();
                 sums = (sums.0 + term, sums.1 + term.abs(), sums.2 && kept);
             }
@@ -151,8 +152,8 @@ fn times(column: &[f64], y: &DVector<f64>) -> ExactSum {
     ExactSum::of_products(column.iter().copied().zip(y.iter().copied()))
 }
 
-/// Candidates for a Farkas vector: y as computed; y without entries that are noise compared with the largest entry; and integer vectors with nearly
-/// the same ratios, for increasing errors of these ratios.
+/// Candidates for a Farkas vector: y as computed; y with entries set to zero that are noise compared with the largest entry; and integer vectors with
+/// nearly the same ratios, for increasing errors of these ratios.
 pub(super) fn cleaned(y: &DVector<f64>) -> impl Iterator<Item = DVector<f64>> {
     let noise = ZERO_VALUE * y.amax();
     let mut all = vec![y.clone(), y.map(|y| if y.abs() <= noise { 0.0 } else { y })];

@@ -1,8 +1,8 @@
 //! Farkas vectors (y ≥ 0 with Mᵀy ≤ 0 and qᵀy < 0) that a person can check: few nonzero entries, few digits.
 //!
 //! A path or a linear program ends in some vector that proves a contradiction, usually one of many. A single contradictory row, or two rows that
-//! contradict each other, are easier to understand. If the vector has few digits, such a proof also does not depend on how a computed entry was
-//! rounded.
+//! contradict each other, are easier to understand. If the entries of the vector have few digits, the proof also does not depend on how the entries
+//! of a computed vector were rounded.
 
 use super::problem::Lcp;
 use super::tolerances::MOST_PAIRED_ROWS;

@@ -1,10 +1,11 @@
 //! Inner loops of a pivot, in a form that the compiler vectorises (see [`crate::numerics::wide`]). A dictionary is the condensed tableau of one
-//! basis, of which only the columns of nonbasic slacks are stored.
+//! basis, of which only the columns a_j of nonbasic slacks are stored. A pivot with the entering column u adds g_j u to each a_j. The next entering
+//! column is the given vector y minus Σ_j c_j a_j.
 
 use crate::numerics::{Each, Loop};
 
-/// The update a_j += g_j u of the dictionary's stored columns a_j with the entering column u. Then y −= Σ_j c_j a_j, with the updated a_j, gives the
-/// next entering column. Four columns are processed at a time, in one pass over memory.
+/// The update a_j += g_j u of the stored columns, then y −= Σ_j c_j a_j with the updated a_j. Four columns are processed at a time, in one pass over
+/// memory.
 pub(super) struct UpdateAndCombine<'a> {
     pub(super) columns: &'a mut [f64],
     pub(super) n: usize,
@@ -48,8 +49,8 @@ impl Loop for UpdateAndCombine<'_> {
     }
 }
 
-/// The sum y −= Σ_j c_j a_j over the stored columns a_j or, with `SIZES`, the sum of magnitudes y += Σ_j |c_j a_j|, to which the rounding error of
-/// the first sum is proportional.
+/// The sum y −= Σ_j c_j a_j over the stored columns a_j. With `SIZES` the sum of magnitudes y += Σ_j |c_j a_j| instead, to which the rounding error
+/// of the first sum is proportional.
 pub(super) struct Combine<'a, const SIZES: bool> {
     pub(super) columns: &'a [f64],
     pub(super) n: usize,
@@ -89,7 +90,7 @@ impl<const SIZES: bool> Loop for Combine<'_, SIZES> {
     }
 }
 
-/// The update a_j += g_j u of all stored columns a_j of a dictionary after a pivot with the entering column u.
+/// The update a_j += g_j u of all stored columns.
 pub(super) struct Update<'a> {
     pub(super) columns: &'a mut [f64],
     pub(super) n: usize,

@@ -1,8 +1,8 @@
 //! The sequence of attempts to solve a problem. The covering vector d multiplies the covering variable z₀ in w = q + M z + d z₀. In the slack basis
 //! every slack w_i is basic.
 //!
-//! The order is: Lemke's path; a proof from its ray; a proof by linear programming; other paths; all complementary bases. [`Lcp::solve_with`]
-//! describes when each attempt is made.
+//! The order is: Lemke's path; a proof of infeasibility from the ray of this path; such a proof by linear programming; other Lemke paths; all
+//! complementary bases. [`Lcp::solve_with`] describes when each attempt is made.
 
 use super::outcome::{Certificate, Outcome, Unsolved};
 use super::problem::Lcp;
@@ -71,15 +71,15 @@ impl Workspace {
         Some(Outcome::Infeasible(Certificate { y, pivots: self.path.pivots }))
     }
 
-    /// Follows a path with another covering vector d, then a path from a basis in which one or two of the z_i are basic. `None` if one of the
-    /// paths ends in a solution.
+    /// Follows a path with another covering vector d. If this path does not end in a solution, follows a path from a basis in which one or two of the
+    /// z_i are basic. `None` if one of the paths ends in a solution.
     fn retry(&mut self, lcp: &Lcp, settings: &Settings, attempt: usize) -> Option<Unsolved> {
         let units = self.path.scaling.row_unit.iter().enumerate();
         self.path.d.clear();
         self.path.d.extend(
-            // Entry i of the covering vector d is 2^e in the unit of the balanced row i, with e between −3 and 3. In a narrower range the paths
-            // would stay close to the first path. In a wider range the problems would be badly scaled. Each attempt starts a million entries
-            // further in the sequence [`generic`]. A dense problem has fewer than a million rows, so attempts share no entry.
+            // Entry i of the covering vector d is 2^e times the unit of row i of the balanced problem, with e between −3 and 3. In a narrower range
+            // the paths would stay close to the first path. In a wider range the problems would be badly scaled. Each attempt starts a million
+            // entries further in the sequence [`generic`]. A dense problem has fewer than a million rows, so attempts share no entry.
             units.map(|(i, unit)| unit * (6.0 * (generic(attempt * 1_000_003 + i) - 1.0)).exp2()),
         );
         let limit = settings.retry_limit(lcp.len(), self.path.pivots);

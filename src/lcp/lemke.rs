@@ -96,8 +96,8 @@ impl LemkePath {
         m: &[f64],
         settings: &Settings,
     ) -> Result<Option<usize>, BreakdownCause> {
-        // The dictionary is compared with M, q and d once in 32 pivots. The comparison costs as much as one or two pivots; if it were made more
-        // rarely, drift would be found late.
+        // The dictionary is compared with M, q and d once in 32 pivots. The comparison costs as much as one or two pivots; with fewer comparisons,
+        // drift would be found late.
         if self.age > 0 && self.pivots.is_multiple_of(32) {
             if self.drift(m) > DRIFTED {
                 self.refactor(entering, m)?;
@@ -126,8 +126,8 @@ impl LemkePath {
                 continue;
             }
             if row.is_some() && pivot <= certain {
-                // The pivot is at most `certain`, thus small relative to its column, but may be reliable relative to the terms of its own row. Only
-                // entries of the column that are noise compared with the terms of their rows are set to zero.
+                // A pivot of at most `certain` is small relative to its column, but may be accurate relative to the terms from which its own entry
+                // was computed. Each entry of the column is therefore compared with its own terms, and set to zero if it is noise.
                 self.dictionary.clear_noise(entering, settings.pivot_tolerance);
                 let firm = blocking_row(&self.dictionary, certain, certain, role, settings);
                 if firm.is_some_and(|firm| !doubtful_row_breaks(&self.dictionary, certain, firm, role)) {

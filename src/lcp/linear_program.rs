@@ -1,7 +1,7 @@
 //! The least violation of linear constraints, by linear programming. If the least violation is positive, the dual solution proves infeasibility.
 //!
-//! If Lemke's path ends in a ray that proves nothing, the solver tries the program min { t : M z + q + t 1 ≥ 0, z, t ≥ 0 }. If the minimum of t is
-//! positive, no z ≥ 0 satisfies M z + q ≥ 0, and the dual solution is a Farkas vector.
+//! If Lemke's path ends in a ray that proves nothing, the solver tries the program min { t : M z + q + t 1 ≥ 0, z, t ≥ 0 }, where 1 is the vector of
+//! ones. If the minimum of t is positive, no z ≥ 0 satisfies M z + q ≥ 0, and the dual solution is a Farkas vector.
 
 use super::farkas::cleaned;
 use super::outcome::{Certificate, Outcome, Unsolved};

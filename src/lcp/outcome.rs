@@ -8,8 +8,8 @@ use core::fmt;
 use nalgebra::DVector;
 use thiserror::Error;
 
-/// The end of a solve, and the conclusion that it allows. S is the type of a solution, for example a [`Solution`] of an [`Lcp`](super::Lcp), or a
-/// view that borrows the memory of a solver ([`OutcomeView`]).
+/// The way a solve ended, and what this says about the problem. S is the type of a solution, for example a [`Solution`] of an [`Lcp`](super::Lcp), or
+/// a view that borrows the memory of a solver ([`OutcomeView`]).
 ///
 /// The first four variants state a fact about the problem; the last three leave it undecided. `Display` writes one line.
 #[derive(Debug, Clone, PartialEq)]
@@ -179,7 +179,7 @@ pub struct Ray {
     /// Direction ẑ (n entries, none negative, the largest 1), in the caller's units.
     #[cfg_attr(feature = "serde", serde(serialize_with = "super::written::list"))]
     pub direction: DVector<f64>,
-    /// Rate ẑ₀ ≥ 0 of the covering variable, for the direction as scaled here.
+    /// Rate ẑ₀ ≥ 0 of the covering variable, that belongs to `direction`, whose largest entry is 1.
     pub covering_rate: f64,
     /// Number of pivots on all paths.
     pub pivots: usize,

@@ -12,8 +12,8 @@ impl Lcp {
     /// & Stone, *The Linear Complementarity Problem*, 1992, theorem 3.3.7), and Lemke's method finds it. `None` if undecided (then n > 12).
     ///
     /// Definiteness, diagonal dominance or signs usually decide this. If they do not, and n ≤ 12, up to 2ⁿ Schur complements are computed (M. J.
-    /// Tsatsomeros and L. Li, *A recursive test for P-matrices*, BIT 40, 2000). A matrix closer to the boundary of the class than 8 n ε (ε = 2⁻⁵²) or
-    /// 1e-14 of its diagonal may be put on either side.
+    /// Tsatsomeros and L. Li, *A recursive test for P-matrices*, BIT 40, 2000). Rounding may decide for a matrix with a pivot of less than 8 n ε (ε =
+    /// 2⁻⁵²), or 1e-14, relative to the diagonal entry of M.
     ///
     /// ```
     /// use grasp_lcp::lcp::Lcp;
@@ -79,12 +79,13 @@ fn eliminate(a: &mut DMatrix<f64>, k: usize) {
     }
 }
 
-/// Whether a is a P-matrix.
+/// Whether the matrix `a` is a P-matrix.
 ///
-/// The first entry of a must be positive. Two smaller matrices must be P-matrices: a without its first row and column, and the Schur complement
+/// The first entry of `a` must be positive. Two smaller matrices must be P-matrices: `a` without its first row and column, and the Schur complement
 /// of the first entry.
 ///
-/// `m` has the rows and columns of a before any elimination. Pivots are compared with its diagonal.
+/// `m` holds the same rows and columns before any elimination. A pivot counts as positive if it exceeds [`ELIMINATED_PIVOT`] times the diagonal entry
+/// of `m`.
 fn minors_are_positive(mut a: DMatrix<f64>, m: &DMatrix<f64>) -> bool {
     let n = a.nrows();
     if n == 0 {

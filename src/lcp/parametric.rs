@@ -39,7 +39,8 @@ pub struct Breakpoint {
     pub basis: Basis,
     /// Direction of the parameter τ on the next piece of the path of solutions.
     pub trend: Trend,
-    /// The rate dz/dτ of the solution on the next piece of the path (n entries), also where τ decreases on that piece; zero if τ is constant.
+    /// The rate dz/dτ of the solution on the next piece of the path (n entries). It is dz/dτ also where τ decreases along that piece, and zero if τ
+    /// is constant.
     pub rate: DVector<f64>,
 }
 
@@ -113,8 +114,8 @@ impl<'a> Parametric<'a> {
         Self::from_basis(lcp, &Basis::slack(lcp.len()), dq, settings)
     }
 
-    /// [`Parametric::new`] from the solution that [`Lcp::solve_from`] finds. If there are several solutions, the basis selects the solution at which
-    /// the path starts.
+    /// As [`Parametric::new`], but the path starts at the solution that [`Lcp::solve_from`] finds from `basis`. If the problem at τ = 0 has several
+    /// solutions, `basis` selects one of them.
     ///
     /// # Errors
     ///
@@ -217,7 +218,7 @@ impl<'a> Parametric<'a> {
         match leaving {
             LemkeVariable::W(i) => Ok(self.breakpoint(Variable::W(i))),
             LemkeVariable::Z(i) => Ok(self.breakpoint(Variable::Z(i))),
-            // The parameter τ takes no part in the ratio test, so it cannot leave the basis.
+            // Here `Covering` stands for the parameter τ. The ratio test does not consider τ, so τ cannot leave the basis.
             LemkeVariable::Covering => Err(PathEnd::Breakdown(BreakdownCause::SingularBasis)),
         }
     }

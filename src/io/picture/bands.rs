@@ -1,11 +1,12 @@
-//! The bands of a map of values over directions, with their colours. A level is a value at which one band ends and the next begins.
+//! The colour bands of a map. The map shows a value for every direction in space. A band is a range of this value with a colour of its own. A level
+//! is a value at which one band ends and the next begins.
 
 use super::palette::Rgb;
 use super::round_numbers::{in_steps, round_up, whole_above, whole_below};
 use crate::numerics::IntoList;
 
-/// Levels of a map, with one colour between each two. Levels are evenly spaced round numbers. If the smallest value is positive and the largest is
-/// more than four times the smallest, they are preferred numbers, spaced in roughly equal ratios.
+/// Levels of a map, with one colour for the band between two neighbouring levels. The levels are evenly spaced round numbers. If the smallest value
+/// of the map is positive and the largest is more than four times the smallest, the levels are preferred numbers, spaced in roughly equal ratios.
 pub(super) struct Bands {
     /// Lower ends of the bands, and the upper end of the last band.
     pub(super) levels: Vec<f64>,
@@ -23,7 +24,8 @@ const PREFERRED_NUMBERS: [&[f64]; 4] = [
     &[1.0],
 ];
 
-/// Evenly spaced colours of matplotlib's colormap "viridis", which stays ordered for colour-blind readers.
+/// Evenly spaced colours of matplotlib's colormap "viridis". Their brightness increases along the list, so that colour-blind readers see the order,
+/// too.
 const VIRIDIS: [Rgb; 8] = [
     Rgb(68, 1, 84),
     Rgb(70, 50, 127),
@@ -36,7 +38,7 @@ const VIRIDIS: [Rgb; 8] = [
 ];
 
 impl Bands {
-    /// Bands for finite values from `low` to `high`.
+    /// Bands for a map whose finite values lie between `low` and `high`.
     pub(super) fn new(low: f64, high: f64) -> Self {
         if low > 0.0 && high > 4.0 * low { Self::in_ratios(low, high) } else { Self::even(low, high) }
     }
@@ -76,8 +78,8 @@ impl Bands {
         self.levels.len() - 1
     }
 
-    /// The number that is interpolated linearly between directions of the map: `value` itself, or the logarithm of `value` if levels are spaced in
-    /// ratios.
+    /// The number that varies linearly between neighbouring directions of the map: `value` itself, or the logarithm of `value` if levels are spaced
+    /// in ratios.
     pub(super) fn measure(&self, value: f64) -> f64 {
         if self.step.is_some() { value } else { value.ln() }
     }

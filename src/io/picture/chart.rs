@@ -58,17 +58,17 @@ impl Chart {
         /// Marks an event by a vertical line at x with a label; the axis is extended to include x.
         pub fn mark(mut self, x: f64, label: impl Into<String>) { self.marks.push((x, label.into())); }
 
-        /// Labels a point (x, y) with a few letters on a plaque, such as the number of an event.
+        /// Labels a point (x, y) with a few letters on a light background, such as the number of an event.
         pub fn label(mut self, point: (f64, f64), words: impl Into<String>) {
             self.labels.push((point, words.into()));
         }
 
-        /// Shades everything to the right of x, with a label for the reason.
+        /// Shades everything to the right of x; the label says why.
         pub fn shade_from(mut self, x: f64, label: impl Into<String>) {
             self.shaded = Some((x, label.into()));
         }
 
-        /// Sets a sentence below the chart, broken into lines; it replaces an earlier one.
+        /// Sets the sentence below the chart, in place of an earlier sentence. It is broken into lines.
         pub fn note(mut self, words: impl Into<String>) { self.note = Some(words.into()); }
     }
 
@@ -134,7 +134,7 @@ impl Chart {
             return Err(PictureError("no finite point".into()));
         }
         let apart = chart.series.iter().any(|series| !matches!(series.stroke, Stroke::Line | Stroke::Dashed));
-        // Margins along x and y, as fractions of the range; along x only if points are drawn as dots, circles or bars, which have a width.
+        // Margins along x and y, as fractions of the range; along x there is a margin only for dots, circles and bars, which have a width.
         // Logarithmic axes need no margins: they end at whole decades.
         let room = if self.logarithmic { (0.0, 0.0) } else { (if apart { 0.02 } else { 0.0 }, 0.06) };
         let across = [mapped(&finite, &|p| p.0), mapped(&chart.marks, &|m| m.0)].concat();
@@ -178,7 +178,8 @@ impl Chart {
         // A legend of many names would hide the curves; names are then written beside the chart.
         let is_beside = self.series.len() > CHART.most_inside;
         let beside = if is_beside { legend_width(&self.series, CHART.longest_beside) } else { 0.0 };
-        // The margins around the plot, in pixels, hold the numbers and labels of the axes. The right margin holds half of the last number.
+        // The margins around the plot, in pixels, hold the numbers and labels of the axes. The right margin holds half of the last number of the x
+        // axis.
         let canvas = Canvas {
             left: left + 96.0,
             top: top + 46.0,
@@ -215,7 +216,7 @@ impl Chart {
         paper.text((x, y), label, CHART.label, left, GREY);
     }
 
-    /// Draws the names of the series in the corner in which they hide least.
+    /// Draws the legend at the position at which it hides least of the curves and labels.
     fn draw_legend(&self, paper: &mut Sheet, canvas: &Canvas) {
         let (marked, shaded) = (!self.marks.is_empty(), self.shaded.is_some());
         let (side, anchor) = best_legend_position(canvas.window, &self.series, marked, shaded);

@@ -15,11 +15,11 @@ use crate::grasp::{ContactPoints, Wrench};
 use crate::load_path::Leg;
 use crate::numerics::{IntoList, chosen, increasing, largest, mapped, moved};
 
-/// Two charts of `count` cycles that begin under the base load. The first has the slip of each contact against cycles, the second the friction of
-/// each contact against its slip in the last cycle. The area within the loop is the heat of that cycle. Slip and friction are components along the
-/// direction in which the contact slips farthest. For a soft fingertip they are the mean slip of its points and the sum of their forces. A note names
-/// the contacts without a curve: they never slide, or slide less than the sixteen contacts that are drawn. Charts without a curve are omitted: both
-/// charts if no contact slides, the second chart if no contact slides in the last cycle.
+/// Two charts of `count` cycles that begin under the base load. The first chart has the slip of each contact against the number of cycles. The second
+/// has the friction of each contact against its slip in the last cycle. The area within a loop of the second chart is the heat of that cycle. Slip
+/// and friction are components along the direction in which the contact slips farthest. For a soft fingertip the chart shows the mean slip of its
+/// points and the sum of their forces. A note names the contacts without a curve: they never slide, or slide less than the sixteen contacts that are
+/// drawn. Charts without a curve are omitted: both charts if no contact slides, the second chart if no contact slides in the last cycle.
 ///
 /// ```
 /// use grasp_lcp::picture::charts_of_cycles;

@@ -1,4 +1,5 @@
-//! Force, state and position of a contact in pictures. All points of a soft fingertip are shown with one resultant force, one state and one position.
+//! Force, state and position of a contact in pictures. A fingertip is a contact with all its points: a soft fingertip has several, which are shown
+//! with one resultant force, one state and one position.
 
 use nalgebra::SVector;
 
@@ -8,7 +9,7 @@ use crate::grasp::{Contact, ContactPoints};
 use crate::numerics::summed;
 use crate::words::{LinkKind, Words};
 
-/// Force and state of a fingertip as a whole.
+/// Force and state of a fingertip as a whole; forces in N.
 #[derive(Clone)]
 pub(super) struct Resultant {
     /// The point at which the force acts: the centre of pressure, or the middle of the points if none of them presses.
@@ -29,7 +30,7 @@ pub(super) fn without_rounding<const C: usize>(force: f64, state: &Equilibrium<C
 }
 
 impl ContactPoints {
-    /// Whether the contact has several points.
+    /// Whether the contact has several points, as a soft fingertip or a link does.
     pub(super) fn is_soft(&self) -> bool {
         self.range.len() > 1
     }

@@ -8,12 +8,12 @@ use nalgebra::SVector;
 pub(super) type PushedContact = (SVector<f64, 3>, SVector<f64, 3>, f64);
 
 /// Metres per newton in a picture of size `size` (m) whose largest force is `largest` (N). With this scale the arrow of the largest force is long
-/// enough to be visible. No arrow reaches the opposite side of the object, unless the object is thin.
+/// enough to be visible. No arrow reaches the opposite side of the object, unless the object is thin. The scale is 0 if there is no force.
 pub(super) fn metres_per_newton(pushes: &[PushedContact], size: f64, largest: f64) -> f64 {
     let inwards = |(at, normal, force): &PushedContact| {
         let depth = pushes.iter().map(|(other, ..)| normal.dot(&(other - at))).fold(0.0, f64::max);
-        // The depth is the largest distance of another contact from this contact along its normal. If arrows are at most 0.48 times the depth long,
-        // two opposing normal forces do not meet. A depth below 1e-3 of the size is a rounding error: the contacts lie side by side.
+        // The depth is the largest distance of another contact from this contact along its normal. If no arrow is longer than 0.48 times the depth,
+        // the arrows of two opposing normal forces do not meet. A depth below 1e-3 of the size is a rounding error: the contacts lie side by side.
         if depth > 1e-3 * size && *force > 0.0 { 0.48 * depth / force } else { f64::INFINITY }
     };
     let inside = least(pushes, &inwards);

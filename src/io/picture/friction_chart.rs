@@ -1,6 +1,6 @@
 //! Friction force of each contact along a load path, as a fraction of its limit μ F_n; a soft fingertip counts as one contact. A leg is one stage of
 //! a load program, along which load and commands change linearly, or the load turns. A jump is a sudden motion under constant load, a drive a motor
-//! or tendon of a joint.
+//! or a tendon of a hand.
 
 use super::chart::Chart;
 use super::fingertip::without_rounding;
@@ -19,7 +19,7 @@ use crate::words::opens;
 /// Largest number of curves in a chart: each colour has a solid and a dashed line. The note below the chart names further curves.
 pub(super) const MOST_CURVES: usize = 2 * PALETTE.len();
 
-/// A load program with its grasp, and the horizontal axis along which a chart draws the equilibria of the path.
+/// A load program with its grasp, and the horizontal axis along which a chart draws the equilibria of the load path.
 pub(super) struct DrawnProgram<'a, const C: usize> {
     pub(super) grasp: &'a Grasp<C>,
     pub(super) start: Wrench<C>,
@@ -30,8 +30,8 @@ pub(super) struct DrawnProgram<'a, const C: usize> {
 }
 
 impl<const C: usize> DrawnProgram<'_, C> {
-    /// The chart with one curve per contact, from the start to the end of the path. Marks are at the first slip, opening, or drive that reaches its
-    /// limit, and at the end.
+    /// The chart with one curve per contact, from the start to the end of the path. One mark shows the first change: a contact slides or opens, or a
+    /// drive reaches its limit. Another shows where the path ends, if it ends before the end of the program.
     pub(super) fn chart(&self, title: &str) -> Result<Chart, Error> {
         let mut path = self.grasp.follow(self.start, self.legs)?;
         let events = path.run();
@@ -66,7 +66,8 @@ impl<const C: usize> DrawnProgram<'_, C> {
         last.unwrap_or((self.legs.len().saturating_sub(1), 1.0))
     }
 
-    /// Equilibria along the load path, for the curves of the chart, each with its position on the horizontal axis.
+    /// Equilibria along the load path for the curves of the chart, each with its position on the horizontal axis: equilibria at regular intervals, at
+    /// events, and after jumps.
     pub(super) fn states(&self, path: &LoadPath<C>, events: &[Event<C>]) -> Vec<(f64, Equilibrium<C>)> {
         let (last, end) = self.followed_to(path);
         let on_leg = |leg: usize| {
@@ -157,7 +158,7 @@ fn friction_fraction<const C: usize>(
     if all > 0.0 { used / all } else { f64::NAN }
 }
 
-/// The curves that a chart draws, and texts for its note, each of which names contacts without a curve and the reason why they have none.
+/// The curves that a chart draws, and the texts of its note. Each text names contacts without a curve, and the reason why they have none.
 struct SharedCurves {
     drawn: Vec<ChartSeries>,
     left_out: Vec<String>,

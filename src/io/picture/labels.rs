@@ -18,7 +18,7 @@ const COVERS_MUCH: f64 = 60.0;
 
 pub(super) struct Labels {
     window: Window,
-    /// Points on strokes that names should not cover, with the cost of covering each.
+    /// Points on strokes that names should not cover, each with the cost of covering it, about the covered area in pixels².
     ink: Vec<(PaperPoint, f64)>,
     taken: Vec<NamePlate>,
     /// Number of names for which no free position was left.

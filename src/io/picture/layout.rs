@@ -8,7 +8,7 @@ use super::sheet::PaperPoint;
 
 /// Sizes of marks that planar and spatial pictures of a grasp share.
 pub(super) struct MarkLayout {
-    /// Length of a friction cone, as a multiple of the arrow of the normal force in it.
+    /// Length of a friction cone, as a multiple of the length of the arrow of the normal force in it.
     pub(super) cone: f64,
     /// The arrow of a load is at least this long: a shorter arrow is lengthened, because it would hardly be visible.
     pub(super) shortest_load: f64,
@@ -25,9 +25,9 @@ pub(super) const MARKS: MarkLayout =
 pub(super) struct PlanarLayout {
     /// Height of letters, pixels.
     pub(super) letters: f64,
-    /// Length of a finger behind its contact, which is also the distance of its name from the contact, as a fraction of the span.
+    /// Length of the finger drawn behind its contact, as a fraction of the span. The name of the fingertip stands at this distance from the contact.
     pub(super) finger: f64,
-    /// Largest number of fingertips whose names are written with state and force.
+    /// Largest number of fingertips up to which names are written with state and force; with more fingertips, names are written alone.
     pub(super) most_labelled: usize,
 }
 
@@ -35,17 +35,17 @@ pub(super) const PLANAR: PlanarLayout = PlanarLayout { letters: 15.0, finger: 0.
 
 /// Sizes in the picture of a grasp in space.
 pub(super) struct SpatialLayout {
-    /// Length of a finger behind its contact, as a fraction of the span.
+    /// Length of the finger drawn behind its contact, as a fraction of the span.
     pub(super) finger: f64,
-    /// Length of the arrow of a slip, as a fraction of the span.
+    /// Length of the arrow that shows the direction of a slip, as a fraction of the span; the length says nothing about the size of the slip.
     pub(super) slip: f64,
-    /// Half the length of the axis of a free motion, as a fraction of the span.
+    /// Half the length of the drawn axis of a free motion, i.e. of a motion of the object that no contact resists, as a fraction of the span.
     pub(super) axis: f64,
     /// Radius of the dot of a contact.
     pub(super) contact: f64,
     /// Radius of the dot of a point of a soft fingertip.
     pub(super) soft_point: f64,
-    /// Lengths of the dashes and of the gaps between them in the outline of the moved object.
+    /// Lengths of the dashes, and of the gaps between dashes, in the outline of the displaced object.
     pub(super) moved_dashes: (f64, f64),
 }
 
@@ -94,7 +94,7 @@ pub(super) struct ChartLayout {
     pub(super) title: f64,
     /// Height of letters of axes and legend.
     pub(super) letters: f64,
-    /// Height of letters of labels of events.
+    /// Height of the letters that label marked events.
     pub(super) label: f64,
     /// Height of letters of notes, and of labels on a light background.
     pub(super) plaque: f64,
@@ -102,15 +102,15 @@ pub(super) struct ChartLayout {
     pub(super) note_line: f64,
     /// With at most this number of series the legend is inside the chart, with more series it is beside the chart.
     pub(super) most_inside: usize,
-    /// Largest number of letters of a name beside the chart.
+    /// Largest number of letters of a series' name beside the chart; a longer name is cut off.
     pub(super) longest_beside: usize,
-    /// Largest number of letters of a name in the legend inside the chart.
+    /// Largest number of letters of a series' name in the legend inside the chart; a longer name is cut off.
     pub(super) longest_inside: usize,
-    /// Largest number of letters of a name at a mark.
+    /// Largest number of letters of a contact's name in the label of a marked event; a longer name is cut off.
     pub(super) mark_letters: usize,
-    /// Largest number of names in a list of curves that are not drawn.
+    /// Largest number of names in the note that lists the contacts without a curve; the note counts the others.
     pub(super) listed_names: usize,
-    /// Largest number of letters of a name in the list of curves that are not drawn.
+    /// Largest number of letters of each name in the note that lists the contacts without a curve.
     pub(super) listed_letters: usize,
 }
 

@@ -3,11 +3,12 @@
 use super::series::{ChartSeries, Stroke};
 use crate::numerics::{counted, lowest};
 
-/// Possible positions of the legend: the fractions of the free width and height that lie to its left and below it.
+/// Possible positions of the legend. Each has two fractions: of the free width, the fraction that lies to the left of the legend, and of the free
+/// height, the fraction that lies below it.
 const LEGEND_POSITIONS: [(f64, f64); 6] =
     [(1.0, 1.0), (1.0, 0.0), (0.0, 1.0), (0.0, 0.5), (1.0, 0.5), (0.0, 0.0)];
 
-/// Width of the names of series beside a chart, with at most `longest` letters each.
+/// Width, pixels, that the names of series take beside a chart, each shortened to at most `longest` letters.
 pub(super) fn legend_width(series: &[ChartSeries], longest: usize) -> f64 {
     52.0 + 9.0 * most_letters(series, longest) as f64
 }

@@ -1,4 +1,5 @@
-//! Grasps, load curves and maps over all directions as SVG (feature `plot`). Grasps also as HTML pages; on a page a spatial grasp can be turned.
+//! Draws grasps, load curves and maps over all directions as SVG (feature `plot`). Grasps are also drawn as HTML pages, on which a spatial grasp can
+//! be turned.
 //!
 //! Every function returns the text of an SVG or HTML file; the caller writes it to a file.
 

@@ -154,7 +154,7 @@ impl Painting {
         }
     }
 
-    /// Points that names should not cover, with the cost of covering each.
+    /// Points that names should not cover, each with the cost of covering it: about the covered area, in pixels².
     pub(super) fn ink(&self) -> Vec<(PaperPoint, f64)> {
         let mut inked = Vec::new();
         for (_, shape) in &self.strokes {

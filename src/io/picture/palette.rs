@@ -50,11 +50,11 @@ pub(super) const VERMILION: Rgb = PALETTE[1];
 pub(super) const GREEN: Rgb = PALETTE[2];
 pub(super) const ORANGE: Rgb = PALETTE[4];
 pub(super) const GREY: Rgb = Rgb(110, 110, 110);
-/// Colour of displacements.
+/// Colour of displacements of the object.
 pub(super) const PINK: Rgb = PALETTE[3];
-/// Colour of free motions.
+/// Colour of free motions, i.e. of motions of the object that no contact resists.
 pub(super) const SKY: Rgb = Rgb(58, 143, 200);
-/// Colour of slips.
+/// Colour of the arrows that show in which direction fingers slip over the object.
 pub(super) const BROWN: Rgb = Rgb(122, 54, 0);
 /// Colour of fixtures, i.e. of lines on things that do not move.
 pub(super) const FIXTURE: Rgb = Rgb(204, 204, 204);

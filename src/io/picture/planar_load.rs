@@ -45,7 +45,7 @@ impl PlanarLoad {
     }
 }
 
-/// A load in pixels.
+/// A load on paper, with the ends of its arrow in pixels.
 pub(super) struct LoadOnPaper<'l> {
     load: &'l PlanarLoad,
     from: PaperPoint,
@@ -55,7 +55,7 @@ pub(super) struct LoadOnPaper<'l> {
 }
 
 impl<'l> LoadOnPaper<'l> {
-    /// The load in pixels on these axes; `scale` is the length of an arrow per force, m/N.
+    /// Converts `load` to pixels on these axes. `scale` is the length of an arrow per unit of force, m/N.
     pub(super) fn new(load: &'l PlanarLoad, axes: &EqualScales, scale: f64) -> Self {
         let (from, to) = (axes.place(load.at), axes.place(load.at + load.force * scale));
         let long = (to.0 - from.0).hypot(to.1 - from.1);

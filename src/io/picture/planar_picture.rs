@@ -97,9 +97,9 @@ impl<'a> PlanarPicture<'a> {
         self
     }
 
-    /// Draws a motion of the object, such as the motion by which it is [lost](crate::hold::Lost::motion); draws nothing for `None`. The outline, or
-    /// else the contact points, are drawn displaced along the motion. The displacement is scaled until it is visible, so only the direction of the
-    /// motion matters.
+    /// Draws a motion of the object, such as the motion with which it [leaves the grasp](crate::hold::Lost::motion); draws nothing for `None`. The
+    /// outline, or else the contact points, are drawn displaced along the motion. The displacement is scaled until it is visible, so only the
+    /// direction of the motion matters.
     pub fn maybe_leaving<const C: usize>(mut self, motion: Option<&'a Motion<C>>) -> Self {
         self.leaving = motion.map(inside);
         self

@@ -136,7 +136,7 @@ impl Polar {
             let (tip, side) = (at(*angle, POLAR.radius + 26.0), 0.022);
             let tail = [at(angle - side, POLAR.radius + 13.0), at(angle + side, POLAR.radius + 13.0)];
             paper.area(&[tip, tail[0], tail[1]], BLACK);
-            // Letters of directions that are close together are written one outside the other.
+            // Letters of directions that are close together are written at increasing distances from the rim, so that they do not overlap.
             let before = counted(&self.rays[..k], &|(other, _)| meet(*other, *angle));
             let words = if lettered { letter(k) } else { label.clone() };
             outside(paper, *angle, POLAR.radius + 36.0 + 16.0 * before as f64, &words, 14.0);

@@ -2,7 +2,7 @@
 
 use crate::numerics::mapped;
 
-/// One series of a chart.
+/// One series of a chart: points that have one name and one colour, and are drawn in one way.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct ChartSeries {
@@ -10,7 +10,7 @@ pub struct ChartSeries {
     pub name: String,
     /// The points (x, y).
     pub points: Vec<(f64, f64)>,
-    /// How the points are drawn.
+    /// The way the points are drawn, such as a line or dots.
     pub stroke: Stroke,
 }
 

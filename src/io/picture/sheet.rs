@@ -12,7 +12,7 @@ const PARTS_OF_A_PIXEL: f64 = 100.0;
 /// A position on the paper, pixels to the right and downwards.
 pub(super) type PaperPoint = (f64, f64);
 
-/// A length in whole hundredths of a pixel. There is no −0, and a point that two shapes share is written with the same numbers for both.
+/// A length in whole hundredths of a pixel. An integer cannot be −0, and a point that two shapes share is written with the same digits for both.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) struct HundredthsOfPixel(i32);
 

@@ -13,8 +13,9 @@ use super::sheet::{PaperPoint, Sheet, sheet};
 use super::sphere_grid::SphereGrid;
 use super::words::lines;
 
-/// A map of a sphere on two discs with equal areas (Lambert's azimuthal projection): directions that point upwards (z > 0) on the left and downwards
-/// on the right. Both are seen from above, x to the right and y up. The middle of a disc is ±z, its rim the directions perpendicular to z.
+/// A map of a sphere on two discs with equal areas (Lambert's azimuthal projection): directions that point upwards (z > 0) are on the left,
+/// directions that point downwards on the right. Both are seen from above, x to the right and y up. The middle of a disc is ±z, its rim the
+/// directions perpendicular to z.
 ///
 /// ```
 /// use grasp_lcp::picture::{SphereGrid, SphereMap};
@@ -40,9 +41,9 @@ pub struct SphereMap {
 }
 
 impl SphereMap {
-    /// A map with one value for each of the grid's [directions](SphereGrid::directions), in their order. `quantity` is written at the colour scale
-    /// (include the unit). An infinite value means that there is no bound in this direction, NaN that no bound is known. Infinite values and NaN have
-    /// colours of their own.
+    /// A map with one value for each of the grid's [directions](SphereGrid::directions), in their order. `quantity` names the mapped value with its
+    /// unit; it is written at the colour scale. If the value is a bound, infinity means that there is no bound in this direction, NaN that no bound
+    /// is known. Infinite values and NaN have colours of their own.
     ///
     /// # Errors
     /// [`PictureError`] if the number of values differs from the number of directions, or if no value is finite.
@@ -171,8 +172,8 @@ impl SphereMap {
         paper.text((middle.0, 60.0), words, 15.0, 0.5, BLACK);
     }
 
-    /// The values, with infinite values and NaN replaced by the mean of their finite neighbours. Their regions are painted over later, and must not
-    /// distort the contours next to them.
+    /// The values of the map, in which infinite values and NaN are replaced by the mean of their finite neighbours, or by the largest finite value if
+    /// there is no finite neighbour. Regions without finite values are painted over later, and must not distort the contours next to them.
     fn filled(&self) -> Vec<f64> {
         let SphereGrid { rings, around } = self.grid;
         let finite = || self.values.iter().copied().filter(|value| value.is_finite());

@@ -10,9 +10,9 @@ use crate::load_path::{Leg, Ramp, Turn};
 
 /// A chart of `|F_t| / (μ F_n)` of each contact against the angle, along the path under a turning load. The path begins at angle 0 and ends at the
 /// angle of the turn, or at the angle at which equilibrium is lost. The first contact that stops sticking and the end are marked. A [soft
-/// fingertip](crate::grasp::SoftFingertip) counts as one contact, with sums over its points: 1 if all points slide. A note names the contacts without
-/// a curve: contacts that never touch, have no friction or infinite friction, or are glued. If there are more than sixteen curves, the note also
-/// names the contacts that use least friction and are not drawn.
+/// fingertip](crate::grasp::SoftFingertip) counts as one contact, with the sums of |F_t| and of μ F_n over its points; their ratio is 1 if all points
+/// slide. A note names the contacts without a curve: contacts that never touch, have no friction or infinite friction, or are glued. If there are
+/// more than sixteen curves, the note also names the contacts that use least friction and are not drawn.
 ///
 /// ```
 /// use grasp_lcp::picture::chart_of_turn;

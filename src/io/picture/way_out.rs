@@ -1,4 +1,4 @@
-//! The motion by which a planar object is lost: its outline displaced along this motion.
+//! The motion with which a planar object leaves the grasp: its outline displaced along this motion.
 
 use std::ops::Range;
 
@@ -20,8 +20,8 @@ pub(super) struct MovedOutlines {
 }
 
 impl MovedOutlines {
-    /// Displaces the outlines along the motion by which the object is lost, or without outlines the contact points. `size` is the size of the grasp,
-    /// m. `None` if nothing moves.
+    /// Displaces the outlines along the motion with which the object leaves the grasp; without outlines, displaces the contact points. `size` is the
+    /// size of the grasp, m. `None` if nothing moves.
     pub(super) fn new(
         motion: &Motion<3>,
         outlines: &[Vec<Vector2<f64>>],
@@ -41,7 +41,7 @@ impl MovedOutlines {
         }
         let speed = |(p, twist): &(Vector2<f64>, Twist)| Vector2::from(twist.displacement_at(*p)).norm();
         let fastest = largest(&points, &speed);
-        // The fastest point moves by 0.13 of the size of the scene, so that the displacement is visible whatever the speed.
+        // The fastest point moves by 0.13 of the size of the grasp. The motion has no meaningful speed, and this displacement is visible.
         let time = 0.13 * size / fastest;
         if !(time.is_finite() && time > 0.0) {
             return None;
@@ -56,7 +56,8 @@ impl MovedOutlines {
         &self.to
     }
 
-    /// Paints the moved outlines with arrows, and returns the position on paper of the farthest point, for the name; `None` without points.
+    /// Paints the moved outlines with arrows, and returns the position on paper of the point that has moved farthest, beside which the name is
+    /// written; `None` without points.
     pub(super) fn paint(
         &self,
         painting: &mut Painting,

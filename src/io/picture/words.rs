@@ -13,7 +13,7 @@ pub(super) fn escaped(text: &str) -> String {
             '>' => out.push_str("&gt;"),
             '"' => out.push_str("&quot;"),
             '\'' => out.push_str("&#39;"),
-            // XML does not allow these characters.
+            // XML does not allow these characters; the replacement character U+FFFD takes their place.
             c if (c.is_control() && !c.is_whitespace()) || matches!(c, '\u{fffe}' | '\u{ffff}') => {
                 out.push('\u{fffd}');
             }
@@ -45,7 +45,7 @@ pub(super) fn short(x: f64) -> String {
     if x < 0.0 { format!("−{written}") } else { written }
 }
 
-/// Breaks a text into lines of at most `letters` letters; a longer word is broken, too.
+/// Breaks a text into lines of at most `letters` letters, between words; only a word longer than a line is broken itself.
 pub(super) fn lines(text: &str, letters: usize) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     for word in text.split_whitespace() {
@@ -64,8 +64,8 @@ pub(super) fn lines(text: &str, letters: usize) -> Vec<String> {
     lines
 }
 
-/// The caution about an equilibrium whose motion is not small, i.e. exceeds the limits up to which the linear theory is trusted. `None` if the motion
-/// is small, or if one of the sentences in `said` contains the caution.
+/// The caution about an equilibrium whose motion is not small, i.e. exceeds the limits up to which the linear theory is trusted, or that buckles.
+/// `None` for any other equilibrium, or if one of the sentences in `said` contains the caution.
 pub(super) fn caution<'w, const C: usize>(
     state: Option<&Equilibrium<C>>,
     mut said: impl Iterator<Item = &'w str>,

@@ -1,5 +1,5 @@
 //! Translates the questions of a scene into calls of methods of the scene's [`Grasp`], and answers them. A setup is a grasp with its questions, in
-//! the plane or in space.
+//! the plane or in space. A drive is the motor of a joint, or a tendon.
 
 use super::answer::Answer;
 use super::labels::SceneNames;
@@ -44,7 +44,7 @@ impl<const C: usize> Setup<C> {
 }
 
 impl Setup<3> {
-    /// Adds to the question `improve` the surfaces along which contacts may move. The scene gives each surface at its contact, not in the question.
+    /// The question `improve` with the surfaces along which contacts may move. A scene states each surface at its contact, not in the question.
     pub(super) fn with_surfaces(&self, grasp: &Grasp<3>, asked: &Improve<3>) -> Improve<3> {
         let mut question = asked.clone();
         for (entry, contact) in self.entries().zip(grasp.engine.wholes().iter()) {
@@ -114,7 +114,8 @@ impl Setup<3> {
         Ok(())
     }
 
-    /// Numbers of contacts, of drives (joints and tendons) and of joints. A contact that is held by a force counts as one more joint, its slide.
+    /// Numbers of contacts, of drives (joints and tendons) and of joints. A contact that a constant force presses counts as one more joint: the slide
+    /// along which the force moves it.
     fn lengths(&self) -> [usize; 3] {
         let slides = self.entries().filter(|entry| entry.contact.force.is_some()).count();
         let joints = self.fingers.iter().map(|finger| finger.joints.len()).sum::<usize>() + slides;
@@ -128,8 +129,8 @@ impl Setup<3> {
         tried(&self.questions, &|question| self.answer_in(&grasp, question, words))
     }
 
-    /// The answer to one question, with numbers as in [`Self::answers_in`]. `grasp` is the setup's [grasp](Self::grasp). From one question to the
-    /// next it keeps the factorised equations of the state in which all contacts stick.
+    /// The answer to one question, with numbers as in [`Self::answers_in`]. `grasp` is the setup's [grasp](Self::grasp). The same grasp serves all
+    /// questions, because it keeps the factorised equations of the state in which all contacts stick.
     ///
     /// # Errors
     /// As for [`Self::answers`].

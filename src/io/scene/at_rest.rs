@@ -17,12 +17,14 @@ use crate::numerics::summed;
 use crate::numerics::tolerances::NEGLIGIBLE;
 
 impl Setup<3> {
-    /// Whether the scene has a question in which nothing presses on any contact. Commands of fingers or joints press, as do a constant load (base
-    /// load or load at the start) and an applied load. An applied load presses if it pushes the object onto a contact, as a weight does, or if it
-    /// jams the object. A question `solve` with a load, a `need` of an arm and an `identify` of forces under the base load are skipped. Without
-    /// questions the function returns whether no command presses; without contacts it returns false.
+    /// Whether the scene has a question in which nothing presses on any contact. Contacts are pressed by commands of fingers or joints, by the
+    /// constant load of a question (base load, or load at the start), and by an applied load in two cases. Such a load pushes the object onto a
+    /// contact, as a weight does, or it jams the object between contacts.
+    ///
+    /// Three kinds of question are not tested: `solve` with a load, `need` of an arm, and `identify` of forces under the base load. For a scene
+    /// without questions, the result is whether no command presses; for a scene without contacts it is false.
     pub(super) fn nothing_presses(&self, grasp: &Grasp<3>) -> Result<bool, Error> {
-        // A grasp that has links but no contacts holds the object even if no command presses.
+        // If a grasp has links but no contacts, the links hold the object, and no command needs to press.
         if grasp.presses() || self.entries().next().is_none() {
             return Ok(false);
         }
@@ -48,7 +50,7 @@ impl Setup<3> {
     }
 
     /// Whether a load presses an object onto a contact, as a weight presses an object onto a table, even if no command presses. A link that cannot go
-    /// slack counts as such a contact under any load.
+    /// slack, such as a hinge, holds the object under any load and counts as such a contact.
     fn lies_on_a_contact(&self, load: &Wrench<3>) -> bool {
         let force = &load.components()[..3];
         let size = summed(force, &|x| x * x).sqrt();
@@ -67,7 +69,7 @@ impl Setup<3> {
         self.entries().any(|entry| presses(entry.contact.normal.as_slice())) || self.links.iter().any(hangs)
     }
 
-    /// The warning that the grasp buckles at rest, if the scene has a question whose answer does not say so itself.
+    /// The warning that the grasp buckles at rest. `None` if it does not buckle, or if every answer already says so.
     pub(super) fn buckles_at_rest(&self, grasp: &Grasp<3>) -> Result<Option<Warning>, Error> {
         for question in &self.questions {
             let says_itself =
@@ -85,8 +87,8 @@ impl Setup<3> {
         Ok(None)
     }
 
-    /// Warnings about contacts and links whose force at rest differs from the force that the scene states. At rest means without load, or under the
-    /// base load of a question: of these equilibria, the equilibrium with the fewest warnings is taken.
+    /// Warnings about contacts and links whose force at rest differs from the force that the scene states. The equilibria without load and under the
+    /// base load of each question are examined. The warnings are those of the equilibrium that has the fewest.
     pub(super) fn otherwise_at_rest(&self, grasp: &Grasp<3>) -> Result<Vec<Warning>, Error> {
         let is_pretensioned =
             |entry: &LinkSetup<3>| entry.link.tension.is_none() && entry.link.pretension != 0.0;
@@ -126,7 +128,7 @@ impl Setup<3> {
                 point.force_world.dot(&along)
             });
             if (force - nominal).abs() > OTHERWISE_PRESSED * nominal {
-                // If a contact has lost the object, rounding errors leave a force of about 1e-77 N, which is reported as zero.
+                // If a contact no longer touches the object, rounding errors leave a force of about 1e-77 N, which is reported as zero.
                 let force = if force.abs() <= NEGLIGIBLE * nominal { 0.0 } else { force };
                 let name = entry.contact.label_text(contact);
                 warnings.push(Warning::PressesOtherwise { contact, name, stated: nominal, force });
@@ -153,7 +155,8 @@ impl Setup<3> {
     }
 }
 
-/// Whether a load that grows from zero is held up to some factor above zero. Every friction coefficient above 0 is first raised to 3 or more.
+/// Whether a load that grows from zero jams the object: the grasp holds some fraction of the load, after every friction coefficient between 0 and 3
+/// has been raised to 3.
 fn jams(grasp: &Grasp<3>, load: Wrench<3>) -> Result<bool, Error> {
     if load == Wrench::ZERO {
         return Ok(false);
@@ -164,7 +167,7 @@ fn jams(grasp: &Grasp<3>, load: Wrench<3>) -> Result<bool, Error> {
     Ok(verdict.lost.map_or(verdict.held_to > 0.0, |lost| lost.factor > 0.0))
 }
 
-/// The load at rest of a question, i.e. the base load or the load at the start, to which the question adds other loads; zero for `solve`.
+/// The load of a question at rest: the base load or the load at the start, to which the question adds other loads. Zero for `solve`.
 fn at_rest(question: &Question<3>) -> Wrench<3> {
     match question {
         Question::Hold { base, .. }

@@ -1,5 +1,5 @@
-//! Short answers, of about a hundred bytes each: outcome, load factor, and the first contact that slips. A setup is a grasp with its questions; a leg
-//! is a section of a load program.
+//! Short answers, of about a hundred bytes each: outcome, load factor, and the first contact that slips. The load factor is the multiple of a growing
+//! load, and the onset is the load at which a contact first slips. A setup is a grasp with its questions; a leg is a section of a load program.
 
 use serde::Serialize;
 
@@ -148,7 +148,7 @@ impl SceneNames<'_> {
     fn tightest(&self, brief: Brief, state: &Equilibrium<3>) -> Brief {
         let vacuum_gone = !state.open_cups.is_empty();
         let brief = Brief { beyond_small_motions: is_far(Some(state)), vacuum_gone, ..brief };
-        // The margin of a contact without friction is always zero.
+        // The margin of a contact without friction is always zero, and says nothing about how near the contact is to slipping.
         let has_margin = |(i, contact): &(usize, &ContactAnswer<3>)| {
             contact.margin.is_finite() && self.0.contacts()[*i].friction_coefficient() > 0.0
         };
@@ -204,7 +204,7 @@ fn is_far(state: Option<&Equilibrium<3>>) -> bool {
     state.is_some_and(Equilibrium::is_beyond_small_motions)
 }
 
-/// Short answer to `hold`: whether the load is held, and the load factor at which equilibrium is lost.
+/// Short answer to `hold`: whether the load is held, the load factor at which equilibrium is lost, and the first contact that slides or opens.
 fn held_briefly(verdict: &Verdict<3>) -> Brief {
     let outcome = match verdict.holding {
         Holding::Sticks => "sticks",
@@ -239,7 +239,8 @@ fn needed_briefly(needed: &Needed) -> Brief {
     Brief { factor, angle, ..Brief::new("need", outcome) }
 }
 
-/// Short answer to `improve`: load factor at first slip, or least friction margin, of the best grasp, and the contact that limits it.
+/// Short answer to `improve`: the load factor at first slip, or the least friction margin, of the best grasp found. It also names the contact that
+/// limits this value.
 fn improved_briefly(improved: &Improved<3>) -> Brief {
     let outcome = match improved.search {
         SearchEnd::Optimum => "optimum",
@@ -257,7 +258,8 @@ fn improved_briefly(improved: &Improved<3>) -> Brief {
     Brief { factor: improved.after, first, ..Brief::new("improve", outcome) }
 }
 
-/// Short answer to `shake`: whether slip ceases, alternates or accumulates as the loads repeat, and a contact that slides; or a suction cup that leaks.
+/// Short answer to `shake`: whether slip ceases, alternates or accumulates as the loads repeat, and the name of a contact that slides. If suction
+/// cups leak, the answer says so instead, and names one of these cups.
 fn shaken_briefly(shaken: &Shaken<3>) -> Brief {
     let first = |contacts: &[WholeContact]| contacts.first().map(|part| part.label.clone());
     let (outcome, slides, on) = match &shaken.repeats {
@@ -287,7 +289,7 @@ fn shakedown_briefly(found: Option<&Shakedown<3>>) -> Brief {
     Brief { factor: Some(found.factor), first, ..Brief::new("shakedown", outcome) }
 }
 
-/// Short answer to `compare`: the verdict, and the multiple of the load up to which the equilibrium is the minimum of energy.
+/// Short answer to `compare`: whether the equilibrium is the minimum of energy, and the multiple of the load up to which this holds.
 fn compared_briefly(answer: &CompareAnswer<3>) -> Brief {
     let outcome = match answer.comparison.verdict {
         ComparisonVerdict::Agree => "agree",
@@ -325,7 +327,7 @@ fn drive(change: DriveChange) -> &'static str {
     }
 }
 
-/// The name in the format of the way in which an identification ended.
+/// The word by which an answer states how the search of `identify` ended, such as "converged".
 fn ended(ending: &FitEnding) -> &'static str {
     match ending {
         FitEnding::Converged => "converged",

@@ -26,7 +26,7 @@ impl<const C: usize> Setup<C> {
     }
 }
 
-/// Adds what the loads of a scene lack; returns whether a load was changed.
+/// Adds masses, centres of mass and gravity to the loads of a scene that lack them; returns whether a load was changed.
 fn complete(scene: &mut Value) -> bool {
     let mut is_written = false;
     for (space, axes) in [("planar", 2), ("spatial", 3)] {
@@ -102,7 +102,7 @@ impl AllBodies {
             Value::Object(fields) => {
                 is_written = self.complete(fields);
                 for (name, value) in fields {
-                    // Loads in these fields act on one body each; only loads on all bodies are completed.
+                    // Loads in these fields act on one body each. Only loads that act on all bodies get a mass and a point.
                     let is_on_one = matches!(&**name, "together_with" | "body_loads_by" | "body_loads_to");
                     is_written |= !is_on_one && self.write_into(value);
                 }

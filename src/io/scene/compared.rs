@@ -1,5 +1,6 @@
-//! The answer to `compare`: the equilibrium, and the minimum of energy from the quadratic program of "Position Control for Multifingered Robot Hand"
-//! (see `paper-notes.md`). The base load acts before the load grows.
+//! The answer to the question `compare` of a scene: the equilibrium beside the contact forces of least potential energy under the constraints of the
+//! friction cones. The quadratic program for these forces is that of "Position Control for Multifingered Robot Hand" (see `paper-notes.md`). Once a
+//! friction constraint binds, its solution is not an equilibrium. The base load acts before the load grows.
 
 use serde::{Deserialize, Serialize};
 
@@ -30,7 +31,7 @@ pub struct CompareAnswer<const C: usize> {
 }
 
 impl SceneNames<'_> {
-    /// The answer to `compare`: equilibrium and minimum of energy under `base + load`, and the multiple of `load` up to which both agree.
+    /// The answer to `compare`: the equilibrium and the minimum of energy under `base + load`, and the multiple of `load` up to which both agree.
     pub(super) fn compared(
         &self,
         base: &Wrench<3>,

@@ -1,4 +1,5 @@
-//! Conversion of planar setups, questions and answers between vectors of two and three components. Inside the crate, scenes have three components.
+//! Conversion of planar setups, questions and answers between vectors of two and three components. Inside the crate the vectors of a scene have three
+//! components; in the plane the third is zero.
 
 use super::answer::Answer;
 use super::body::BodySetup;

@@ -67,20 +67,20 @@ impl fmt::Display for Fault {
         if let Some(field) = &self.field {
             write!(f, "{}: ", printable(field))?;
         }
-        // The message may repeat any text of the input, also control characters.
+        // The message may repeat any text of the input, also control characters; `printable` escapes these.
         f.write_str(&printable(&self.message))
     }
 }
 
-/// The outermost fields of a text that is no valid scene. They are read nevertheless: a wrong format version explains all other faults, and the
-/// reply repeats the id.
+/// The outermost fields of a text that is no valid scene. They are read nevertheless, because a wrong format version explains all other faults, and
+/// because the reply repeats the id.
 #[derive(Deserialize)]
 struct OutermostFields {
     format: Option<String>,
     id: Option<Id>,
 }
 
-/// The message of the JSON parser without its last words, the position in the text, which [`Fault::at`] holds.
+/// The message of the JSON parser without the position in the text at its end; [`Fault::at`] holds this position.
 pub(super) fn message_of(error: &serde_json::Error) -> String {
     let message = error.to_string();
     let place = format!(" at line {} column {}", error.line(), error.column());
@@ -166,7 +166,8 @@ impl Scene {
             Err(fault) => fault.message.contains(ALONE),
         };
         if let Some(completed) = may_lack.then(|| with_centre_of_mass(text)).flatten() {
-            // Positions in the completed text do not apply to the text of the user; the fault is therefore given without a position.
+            // The completed text has masses and points that the user's text lacks. A position in it means nothing to the user, so the fault is given
+            // without a position.
             scene = read(&completed).map_err(|fault| Fault { at: None, ..fault });
         }
         let scene = scene?;

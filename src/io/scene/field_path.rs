@@ -20,11 +20,11 @@ pub(super) fn faulty_field(
     message: &str,
 ) -> Option<String> {
     let (before, last) = text.split_at(read.saturating_sub(1));
-    // At a syntax error the last byte read is the first that is not JSON. If the text ends too early or a value is wrong, all bytes read are JSON.
-    // A unit variant, i.e. a name without the fields that it needs, is reported at the byte after the name.
+    // At a syntax error the last byte that was read is the first byte that is not JSON. If instead the text ends too early or a value is wrong, all
+    // bytes that were read are JSON. A unit variant, i.e. a name without the fields that it needs, is reported at the byte after the name.
     let alone = message.starts_with("invalid type: unit variant");
     let json = if error.is_syntax() || alone { before } else { &text[..read] };
-    // If a list is not allowed, the position that serde_json gives is either the opening bracket of the list or the byte before it.
+    // If a list is not allowed, the position that serde_json gives is either that of the opening bracket of the list or one byte before it.
     let behind = last.starts_with(b"[") && !last[1..].starts_with(b"[");
     let around = (behind && message.starts_with("invalid type: sequence"))
         || OF_A_LIST_OR_OBJECT.iter().any(|of| message.starts_with(of));

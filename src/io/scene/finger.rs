@@ -104,8 +104,8 @@ impl<const C: usize> FingerSetup<C> {
 }
 
 impl FingerSetup<3> {
-    /// This finger as a part of the hand that holds the object, each soft fingertip divided into its point contacts. `first` is the index in the
-    /// scene of the finger's first contact.
+    /// This finger as a part of the hand that holds the object. Each of its soft fingertips is divided into point contacts. `first` is the index in
+    /// the scene of the finger's first contact.
     pub(super) fn spread(&self, first: usize) -> Result<grasp::Finger<3>, Error> {
         let points = |k: usize| self.contacts[k].points(first + k);
         let mut finger = grasp::Finger::new(self.joints.iter().cloned());

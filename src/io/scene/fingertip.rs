@@ -51,10 +51,11 @@ pub enum MovedBy {
     /// All joints of the finger: the contact is on the last link.
     #[default]
     LastLink,
-    /// The first joints of the finger, as many as this number, counted from the palm; written as `"moved_by": {"link": 1}`.
+    /// The first n joints of the finger, counted from the palm, for the number n given here; written as `"moved_by": {"link": 1}`.
     Link(usize),
     /// All joints of the finger, by a Jacobian: the motion of the contact along the coordinate axes per unit of each joint. Written as
-    /// `"moved_by": {"jacobian": [[…], …]}`, one row for each axis. In space three more rows may follow, the angular velocities of its link.
+    /// `"moved_by": {"jacobian": [[…], …]}`, one row for each axis. In space three more rows may follow, the angular velocities of the contact's
+    /// link.
     Jacobian(DMatrix<f64>),
 }
 

@@ -1,4 +1,6 @@
-//! The first line of every answer: one sentence, in everyday words, with the result.
+//! The first line of every answer: one sentence, in everyday words, with the result. A leg is a section of a load program. A drive is the motor of a
+//! joint, or a tendon. A jump is a sudden motion under constant load. The object snaps over if it jumps from a point at which the path of equilibria
+//! ends.
 
 use super::answer::Answer;
 use super::onset::{OnsetAnswer, OnsetAt};
@@ -119,7 +121,8 @@ fn solved<const C: usize>(under: &str, answer: &SolveAnswer<C>, words: Words) ->
     }
 }
 
-/// A sentence about an equilibrium, after a caution if its motions are not small or it buckles: "BUCKLES: it buckles: …. Otherwise EQUILIBRIUM".
+/// `sentence`, which is about an equilibrium, preceded by a caution if the motions of this equilibrium are not small or it buckles: "BUCKLES: it
+/// buckles: …. Otherwise EQUILIBRIUM".
 fn after_caution<const C: usize>(state: &Equilibrium<C>, words: Words, sentence: String) -> String {
     match &state.too_far {
         Some(far) => format!("{}: {}. Otherwise {sentence}", LossVerb::from(far), far.reason(words)),
@@ -162,7 +165,7 @@ fn in_short<const C: usize>(state: &Equilibrium<C>) -> String {
     clauses.fold(first, |line, (names, verb)| format!("{line}, {}", plural(names, verb)))
 }
 
-/// The names of the contacts that slide, or of which points slide.
+/// The names of the contacts that slide; a soft fingertip counts if at least one of its points slides.
 fn sliding<const C: usize>(state: &Equilibrium<C>) -> Vec<String> {
     let slides = |contact: &WholeAnswer<'_, C>| match contact {
         WholeAnswer::Pad(pad) => pad.sliding > 0,
@@ -199,7 +202,7 @@ fn first_slip<const C: usize, At>(
     }
 }
 
-/// The kind of an onset in words, and the contacts and drives that change their state: "FIRST SLIP", "left and right slide".
+/// The kind of the event at an onset in words, and the contacts and drives that change their state there: "FIRST SLIP", "left and right slide".
 fn leaving<const C: usize, At>(event: &OnsetAt<C, At>, words: Words) -> (&'static str, String) {
     let changes = event.whole_changes();
     let slides = changes.iter().any(|change| {
@@ -234,8 +237,8 @@ fn plural<T: ToString>(names: &[T], verb: &str) -> String {
     format!("{} {first}{rest}", listed(&names.iter().map(T::to_string).list()))
 }
 
-/// The first jump of a path that snaps over, else its first jump: "snaps over at 0.7 of leg 2, (0, -4) N, counting no momentum; ". Empty without
-/// jumps.
+/// The first jump of a path in which the object snaps over, or else the first jump: "snaps over at 0.7 of leg 2, (0, -4) N, counting no momentum; ".
+/// Empty for a path without jumps.
 fn jumps<const C: usize>(path: &PathAnswer<C>, place: &dyn Fn(usize, f64, &Wrench<C>) -> String) -> String {
     let jump = |snaps: bool| {
         let is_meant = |event: &&Event<C>| event.jump.as_ref().is_some_and(|jump| jump.snaps || !snaps);

@@ -12,8 +12,8 @@ use crate::load_path as path;
 use crate::words::Words;
 
 impl<const C: usize> Setup<C> {
-    /// The answer of a setup's grasp to [`Grasp::solve`] in the form of [`Self::answers`], for a caller that asks the grasp itself and writes only
-    /// some answers.
+    /// The answer of a setup's grasp to [`Grasp::solve`] in the form of [`Self::answers`]. It is for a caller that calls the methods of the grasp
+    /// itself, and writes only some of the answers.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Wrench};
@@ -52,7 +52,8 @@ impl<const C: usize> Setup<C> {
         outside(SceneNames(&inside(grasp)).onset_of_turn(&inside(onset)))
     }
 
-    /// An equilibrium of a setup's grasp, for example one of [`Grasp::equilibria`]; its accuracy is left out.
+    /// Converts an equilibrium of a setup's grasp, for example one of [`Grasp::equilibria`], to the form of a scene's answers. Its accuracy is left
+    /// out.
     #[must_use]
     pub fn tell_equilibrium(grasp: &Grasp<C>, state: &Equilibrium<C>) -> Equilibrium<C> {
         outside(SceneNames(&inside(grasp)).equilibrium(inside(state).into_owned()))

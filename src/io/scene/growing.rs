@@ -1,4 +1,4 @@
-//! Loads of several bodies that grow together with the load of a question. The base load acts before that load grows.
+//! Loads on several bodies that grow together with the load of a question, in proportion to it. The base load acts before that load grows.
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -12,7 +12,7 @@ use crate::grasp::Wrench;
 /// Name of a question, its base load, its growing load, and the loads on other bodies that grow in proportion to the growing load.
 type GrowingLoads<'q> = (&'static str, Wrench<3>, Option<Wrench<3>>, &'q BTreeMap<String, Wrench<3>>);
 
-/// The base load of a question, and the loads that grow in proportion to each other; `None` for a kind of question that has no such loads.
+/// The base load of a question, and its loads that grow in proportion to each other; `None` for a kind of question that has no such loads.
 fn growing(asked: &Question<3>) -> Option<GrowingLoads<'_>> {
     match asked {
         Question::Hold { base, load, together_with } => Some(("hold", *base, Some(*load), together_with)),
@@ -44,14 +44,14 @@ impl Setup<3> {
         }
     }
 
-    /// Refuses loads on further bodies if the question's load cannot carry them along in proportion, as a load of zero cannot.
+    /// Refuses loads on further bodies if they cannot grow in proportion to the load of the question, for example because that load is zero.
     pub(super) fn check_growing(&self, question: &Question<3>) -> Result<(), Error> {
         let Some((name, base, load, others)) = growing(question) else { return Ok(()) };
         others.keys().try_for_each(|name| self.has_body(name))?;
         check_growing(name, base, load, others)
     }
 
-    /// Refuses a loaded body that the scene does not have.
+    /// Refuses a load on a body that the scene does not have; `name` is the name of the body.
     pub(super) fn has_body(&self, name: &str) -> Result<(), Error> {
         if self.bodies.iter().any(|body| &*body.name == name) {
             return Ok(());

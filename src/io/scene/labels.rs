@@ -17,7 +17,7 @@ impl SceneNames<'_> {
         }
     }
 
-    /// Replaces the label that the grasp gives to a contact by the label of the scene.
+    /// Replaces the label that the grasp gives to a point contact by the label that the scene gives to it.
     pub(super) fn name(&self, contact: &mut ContactLabel) {
         *contact = self.label(contact.index);
     }
@@ -29,7 +29,7 @@ impl SceneNames<'_> {
     }
 
     /// An outcome of `solve` in the form of a scene's answers, with the labels of the scene. In an undecided outcome the counts of the solver's work
-    /// are set to zero.
+    /// are set to zero, since answers do not contain them.
     pub(super) fn outcome(&self, mut outcome: Outcome<3>) -> Outcome<3> {
         match &mut outcome {
             Outcome::Equilibrium(state) => **state = self.equilibrium(state.as_ref().clone()),

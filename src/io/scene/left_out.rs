@@ -1,5 +1,5 @@
 //! Stiffnesses that a scene does not give: their defaults, and trials with other values that show whether answers depend on them. A setup is a grasp
-//! with its questions. Motions are small within the limits up to which the linear theory is trusted.
+//! with its questions. A motion counts as small as long as it stays within the limits up to which the linear theory is trusted.
 
 use super::fingertip::Fingertip;
 use super::link::LinkSetup;
@@ -75,10 +75,10 @@ impl Setup<3> {
         Ok(depends.then_some(Warning::StiffnessLeftOut { contacts, names, stiffness, questions }))
     }
 
-    /// Indices of the questions whose answers depend on the stiffness, i.e. change relatively by more than `same_within` in one of the trials.
-    /// Questions for which `is_known` is true are listed in any case. `compared` alters every grasp before its answer is compared, for example by
-    /// removing the limits of small motions. A question is also listed if this alteration changes the answer of the given grasp: the limits then
-    /// matter, and motions depend on stiffness.
+    /// Indices of the questions whose answers depend on the stiffness: in one of the trials, a number of the answer changes by more than the fraction
+    /// `same_within`. Questions for which `is_known` is true are listed in any case. `compared` alters every grasp before its answer is compared, for
+    /// example by removing the limits of small motions. A question is also listed if this alteration changes the answer of the given grasp. The
+    /// limits of small motions then matter, and motions depend on stiffness.
     pub(super) fn questions_that_depend(
         &self,
         trials: &[Self],
@@ -135,7 +135,8 @@ impl Setup<3> {
         setup
     }
 
-    /// The numbers of an answer that are compared between trials with different stiffnesses, such as the load factor at first slip.
+    /// The numbers of an answer that are compared between trials, such as the load factor at first slip. Infinity stands for a number that the answer
+    /// does not have.
     fn figures(&self, grasp: &Grasp<3>, question: &Question<3>) -> Result<Vec<f64>, Error> {
         let known = |answer: Option<bool>| answer.map_or(2.0, f64::from);
         let (whole, grasp) = (grasp, &self.grasp_of(grasp, question)?);
@@ -187,7 +188,7 @@ impl Setup<3> {
 }
 
 impl<const C: usize> Fingertip<C> {
-    /// This contact with the default stiffness.
+    /// This contact with the default stiffness, marked as a contact for which no stiffness was given.
     pub(super) fn without_stiffness(mut self) -> Self {
         self.contact = self.contact.series_stiffness_axes([DEFAULT_STIFFNESS; C]);
         self.no_stiffness = true;
@@ -200,8 +201,8 @@ fn without_limits(grasp: &Grasp<3>) -> Grasp<3> {
     grasp.with(&grasp.settings().with_small_motions(LARGEST, LARGEST))
 }
 
-/// A number in [0, 1) for each `number`, from which trial stiffnesses are chosen. Fractional parts of multiples of the golden ratio fill this
-/// interval evenly, without repeating.
+/// A number in [0, 1) for each `number`; a trial stiffness follows from it. Fractional parts of multiples of the golden ratio fill this interval
+/// evenly, without repeating.
 fn part(number: usize) -> f64 {
     (0.618_033_988_749_895 * number as f64).fract()
 }

@@ -1,5 +1,6 @@
-//! Converts lengths in the text of a scene from mm, cm or inches to m (feature `json`). In the text the field names distinguish lengths from other
-//! numbers. The text also contains the points at which loads act; a wrench keeps only the moment that follows from such a point.
+//! Converts lengths in the text of a scene from mm, cm or inches to m (feature `json`). The conversion works on the text, where field names
+//! distinguish lengths from other numbers. The text also has the points at which loads act, while a wrench keeps only the moment that follows from
+//! such a point.
 
 use serde_json::{Map, Value};
 
@@ -104,8 +105,8 @@ fn each_at(value: &Value, look: &mut dyn FnMut(&[Value])) {
     }
 }
 
-/// Converts the lengths of a scene's text to m, with the unit of lengths and the kinds of joints. The command of a prismatic joint is a length, the
-/// command of a revolute joint an angle.
+/// Converts the lengths of a scene's text to m. The kinds of the joints are needed, since the command of a prismatic joint is a length, that of a
+/// revolute joint an angle.
 struct Lengths {
     unit: Unit,
     /// For each joint of all fingers, whether the joint is prismatic, i.e. has a length as its command.

@@ -1,4 +1,4 @@
-//! A link between bodies in a scene.
+//! A link in the text of a scene: it joins two bodies, or one body to the ground.
 
 use std::sync::Arc;
 

@@ -5,7 +5,7 @@ use crate::grasp::{ArmMotion, Payload, Space, Wrench};
 use crate::numerics::Each;
 use crate::serial::{Given, Number, ShortList};
 
-/// The message for a field `accelerated` without a `mass`. It also says in which scenes the mass may be left out.
+/// The end of the message about a field `accelerated` without a `mass`. It also says in which scenes the mass may be left out.
 pub(super) const ALONE: &str = "needs a `mass` beside it; without one it is that of all bodies by their own masses, in a scene with \"gravity\" and \"shared_by_mass\": true";
 
 /// The rotation of the arm.

@@ -117,7 +117,7 @@
 //!
 //! Lists with an entry for each contact have no entries for links.
 //!
-//! A finger (see [`FingerSetup`](crate::grasp::Finger) for signs):
+//! A finger (see [`Finger`](crate::grasp::Finger) for signs):
 //!
 //! | field | value | unit | if left out |
 //! |---|---|---|---|
@@ -175,10 +175,10 @@
 //! | `improve` | `base`, loads, `at_most`; a `surface` of contacts | better places of the fingers, and their clamping forces, see [`Improve`](crate::improve::Improve) |
 //! | `solve` | `load` (a wrench), `together_with` | the equilibrium under the load |
 //! | `compare` | `base`, `load` (wrenches) | whether the minimum of energy, from a quadratic program, is the equilibrium, and up to which fraction of the load, see [`energy`](crate::energy) |
-//! | `onset` | `base`, `direction` (wrenches), `command_change`, `joint_change`, `together_with` | the onset of sliding under `base + τ direction`, commands changing by τ times their change |
+//! | `onset` | `base`, `direction` (wrenches), `command_change`, `joint_change`, `together_with` | the onset of sliding under `base + τ direction`, while commands change by τ times `command_change` and `joint_change` |
 //! | `onset_of_turn` | a turn | the onset of sliding while the load turns |
-//! | `follow` | `start` (a wrench), `legs`, `in_steps` | the load path of a program; for hundreds of contacts in steps, if `in_steps` gives the error that each leg may add to forces |
-//! | `shake` | `base` (a wrench), `loads` or `legs` | whether the grasp survives loads that are repeatedly applied and removed, or a repeated cycle of legs |
+//! | `follow` | `start` (a wrench), `legs`, `in_steps` | the load path of a load program. With `in_steps`, the error that each leg may add to forces, the path is followed in steps, which suits hundreds of contacts |
+//! | `shake` | `base` (a wrench), `loads` or `legs` | whether slip ceases, alternates or accumulates under loads that are repeatedly applied and removed, or under a repeated cycle of legs |
 //! | `identify` | `unknowns`, `slips` (with a `group` if they share measurement errors), `layouts`, `known` | friction, loads of supports, squeeze or stiffness from observed slips, see [`Identify`](crate::identify::Identify) |
 //! | `shakedown` | `base` (a wrench), `loads` | the multiple of the loads up to which the grasp could come to rest, in any order of the loads |
 //!

@@ -1,5 +1,5 @@
-//! The weight that the scene's gravity gives to the bodies. Questions may tilt it; loads that contain the weight again are refused. A setup is a
-//! grasp with its questions; the base load acts before the load of a question.
+//! The weight that the scene's gravity gives to the bodies. In a question the gravity may turn, as if object and grasp were tilted together. A setup
+//! is a grasp with its questions; the base load acts before the load of a question.
 
 use std::borrow::Cow;
 
@@ -14,7 +14,8 @@ use crate::load_path::Turn;
 use crate::numerics::{Each, summed};
 
 impl Setup<3> {
-    /// The total mass of all bodies, kg, and their centre of mass, m; `None` without a mass or without gravity.
+    /// The total mass of all bodies on which the scene's gravity acts, kg, and their common centre of mass, m; `None` without a mass or without
+    /// gravity.
     ///
     /// ```
     /// use grasp_lcp::scene::Scene;
@@ -43,8 +44,8 @@ impl Setup<3> {
         (mass > 0.0).then(|| (mass, (moment / mass).into()))
     }
 
-    /// The name of the body on which a load acts, if this body has a mass. The load acts on the body `named`, or else on the body on which the loads
-    /// of questions act. If all bodies share the load, the first body with a mass. `None` for a body without mass, and without gravity.
+    /// The name of the body on which a load acts. This is the body `named`, or without a name the body on which the loads of questions act. If all
+    /// bodies share these loads, it is the first body with a mass. `None` if the body has no mass, or the scene no gravity.
     #[must_use]
     pub fn weighty_body(&self, named: Option<&str>) -> Option<&str> {
         self.own_mass()?;
@@ -57,18 +58,18 @@ impl Setup<3> {
         body.filter(|body| body.mass > 0.0).map(|body| &*body.name)
     }
 
-    /// This setup without gravity, for questions whose loads contain the weight of the bodies. In the returned setup loads act on every body in
-    /// proportion to the mass of the body.
+    /// This setup without gravity, for questions whose loads already contain the weight of the bodies. In the returned setup loads act on all bodies,
+    /// on each in proportion to its mass.
     pub fn with_gravity_as_load(&self) -> Self {
         Self { gravity: None, loaded: None, shared_by_mass: true, ..self.clone() }
     }
 
-    /// The question as the grasp of [`Self::grasp_of`] must be asked. If the scene's gravity turns, the weight of the bodies becomes the turning
-    /// load.
+    /// The question to ask of the grasp that [`Self::grasp_of`] returns. If the gravity of the scene turns in the question, the weight of the bodies
+    /// becomes the turning load. Any other question is returned unchanged.
     ///
     /// # Errors
-    /// [`Error::Question`] if gravity should turn but the bodies have no weight. Also if a base load acts in addition to the turning gravity, and
-    /// loads are not shared by mass.
+    /// [`Error::Question`] if gravity should turn but the bodies have no weight. The same error is returned if a base load acts in addition to the
+    /// turning gravity and loads are not shared by mass.
     pub fn meant<'q>(&self, question: &'q Question<3>) -> Result<Cow<'q, Question<3>>, Error> {
         Ok(match question {
             Question::OnsetOfTurn(turn) => match self.own_turn(turn)? {
@@ -90,7 +91,8 @@ impl Setup<3> {
         })
     }
 
-    /// The turn with the weight of all bodies as its load. `None` if `turn` has a load of its own, or if the bodies have no weight.
+    /// The turn with the weight of all bodies as its load; `None` if `turn` has a load of its own. An error if it has none and the bodies have no
+    /// weight.
     fn own_turn(&self, turn: &Turn<3>) -> Result<Option<Turn<3>>, Error> {
         let Some(axis) = turn.tilts_bodies_about else { return Ok(None) };
         let (Some(gravity), Some((mass, centre))) = (self.gravity, self.own_mass()) else {
@@ -103,7 +105,7 @@ impl Setup<3> {
         Ok(Some(Turn::new(constant, cosine, sine).up_to(turn.angle())))
     }
 
-    /// For a question in which the scene's gravity turns: the grasp without gravity, since the turning load of the question already is the weight.
+    /// The grasp for a question in which the gravity of the scene turns: it has no gravity, since the turning load of the question is the weight.
     /// `None` for any other question.
     pub(super) fn tilted_grasp(&self, question: &Question<3>) -> Result<Option<Grasp<3>>, Error> {
         let turn = match question {

@@ -1,4 +1,5 @@
-//! A part as a mesh in a file, and pads that touch it in place of contact points (feature `mesh`). A setup is a grasp with its questions.
+//! A part as a mesh in a file, and pads that touch it in place of contact points (feature `mesh`). A pad is the surface of a finger that touches the
+//! part, a rectangle or a disc. A setup is a grasp with its questions.
 
 use std::path::Path;
 use std::sync::Arc;
@@ -231,7 +232,8 @@ impl Setup<3> {
         Ok(self.on_part(part))
     }
 
-    /// Checks the part, and builds it if `vertices` and `faces` give it. Returns the setup, and whether the points of all contacts are known.
+    /// Checks the part, and builds it if `vertices` and `faces` give it. Returns the setup, and whether the contact points of all contacts are known;
+    /// those of pads are known once the part is built.
     pub(super) fn with_part_of_arrays(self) -> Result<(Self, bool), String> {
         let has_points = self.check_part()?;
         if self.part.as_ref().is_none_or(|part| part.vertices.is_empty()) {
@@ -240,8 +242,8 @@ impl Setup<3> {
         Ok((self.with_part_from(Path::new("")).map_err(|error| error.to_string())?, true))
     }
 
-    /// Refuses pads without a part, and a part in the plane. Returns whether the points of all contacts are known already. The points of pads are
-    /// found only when the mesh is read.
+    /// Refuses pads without a part, a part in the plane, and a part with both mass and density, or with a mesh file and vertices. Returns whether the
+    /// points of all contacts are known. The points of pads are known only once the mesh is read.
     fn check_part(&self) -> Result<bool, String> {
         let touches = self.entries().position(|entry| entry.touches.is_some());
         match (&self.part, touches) {

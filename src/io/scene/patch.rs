@@ -1,4 +1,5 @@
-//! Soft fingertips in the text of a scene: kind, size and resolution of their patch.
+//! Soft fingertips in the text of a scene: kind, size and resolution of their patch. A patch is an area of contact points that takes the place of a
+//! single contact.
 
 use serde::{Deserialize, Serialize};
 

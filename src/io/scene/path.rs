@@ -1,4 +1,5 @@
-//! Answers to `follow`: the events along the load path of a load program.
+//! Answers to `follow`: the events along the load path of a load program. A leg is a section of the program. An event is a point of the path at which
+//! a contact or a drive changes its state.
 
 use serde::{Deserialize, Serialize};
 

@@ -2,7 +2,7 @@
 
 use crate::numerics::IntoList;
 
-/// Fields that stand inside of `planar` or `spatial`.
+/// Fields of a setup, which stand inside of `planar` or `spatial`. Beside these objects they are refused with a hint.
 const SETUP: [&str; 11] = [
     "contacts",
     "fingers",

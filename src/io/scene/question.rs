@@ -1,5 +1,5 @@
 //! Questions about a scene: equilibrium, first slip under a growing or turning load, load path, and others. The base load acts before the load of the
-//! question grows; a leg is a section of a load program.
+//! question grows; a leg is a section of a load program. An onset of sliding is the load at which a contact first slips.
 
 use std::collections::BTreeMap;
 

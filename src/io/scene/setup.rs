@@ -1,4 +1,5 @@
-//! A grasp with its questions, in the plane or in space.
+//! A grasp with its questions, in the plane or in space. A hand has fingers with joints. A soft fingertip is a contact that is spread over a patch of
+//! points. An onset is the load at which a contact first slips.
 
 use crate::numerics::IntoList;
 use nalgebra::SVector;
@@ -194,7 +195,8 @@ impl<const C: usize> Setup<C> {
         all.into_iter()
     }
 
-    /// Whether there are fingers, tendons or contacts held by a force. The grasp is then made by a [`Hand`], see [`Self::hand`].
+    /// Whether there are fingers with joints, tendons, or contacts that are pressed with a constant force. The grasp is then made by a [`Hand`], see
+    /// [`Self::hand`].
     #[must_use]
     pub fn is_held_by_a_hand(&self) -> bool {
         let by_force = self.contacts.iter().any(|entry| entry.contact.force.is_some());
@@ -247,7 +249,7 @@ impl Setup<3> {
         #[cfg(not(feature = "mesh"))]
         let (setup, has_points) = (self, true);
         if has_points && (setup.is_held_by_a_hand() || !setup.bodies.is_empty()) {
-            // Whether joints fit the contacts that they move is checked only when a grasp is built.
+            // Whether joints fit the contacts that they move is checked only when a grasp is built; therefore a grasp is built here.
             setup.grasp_checked().map(drop).map_err(|error| error.to_string())?;
         }
         for (index, question) in setup.questions.iter().enumerate() {
@@ -308,7 +310,8 @@ impl Setup<3> {
         Ok(if self.shared_by_mass { bodies.shared_by_mass() } else { bodies })
     }
 
-    /// Refuses fields about bodies in a scene without bodies, and a load that is both shared by mass and on one body.
+    /// Refuses fields about bodies in a scene without bodies. In a scene with bodies refuses a load that is both shared by mass and on one body, and
+    /// an outline of the scene itself, since each body has its own.
     fn check_bodies(&self) -> Result<(), String> {
         let said = [
             ("gravity", self.gravity.is_some()),

@@ -32,7 +32,8 @@ impl Setup<3> {
             let (friction, names) = (mu(*first), names(&contacts));
             warnings.push(Warning::MuchFriction { contacts, names, friction });
         }
-        // Force closure is not computed for a grasp with joints or with contacts held by a force; such a grasp gets no warning.
+        // Force closure is not computed for a grasp with joints or with contacts that are pressed with a constant force; such a grasp gets no
+        // warning.
         let open = || matches!(grasp.statics().force_closure(), Ok(closure) if !matches!(closure, Closure::Closed { .. }));
         if self.has_no_friction(&entries) && open() {
             warnings.push(Warning::NoFriction);
@@ -82,8 +83,9 @@ impl Setup<3> {
         for (i, (entry, contact)) in entries.iter().zip(grasp.engine.wholes().iter()).enumerate() {
             let points: Vec<_> = mapped(&grasp.contacts()[contact.range.clone()], &|c| c.point);
             let wide = spread(&points);
-            // A patch may be wider than the distance of the contacts, as on stacked pallets or sheets. Only a patch wider than 2 m is suspicious,
-            // such as a pad of a few mm whose width was read in m. A patch that is the only contact is hardly wider than ten metres.
+            // A patch may be wider than the distance of the contacts, as on stacked pallets or sheets. A patch is suspicious if it is wider than 2 m
+            // and wider than ten times that distance, such as a pad of a few mm whose width was read in m. A patch that is the only contact is hardly
+            // wider than ten metres.
             let most = if size > 0.0 { f64::max(2.0, 10.0 * size) } else { 10.0 };
             if wide > most && !is_wide {
                 is_wide = true;
@@ -120,8 +122,8 @@ impl Setup<3> {
         let (mut pressed, mut carried) = (0.0, 0.0);
         for entry in self.entries() {
             let force = entry.contact.press.or(entry.contact.force).unwrap_or(0.0);
-            // Even with little friction the normal forces of other contacts may carry the load; a friction coefficient of at least 0.3 is therefore
-            // assumed.
+            // Even with little friction, the normal forces of other contacts may carry the load. The estimate of the carried load therefore assumes a
+            // friction coefficient of at least 0.3.
             (pressed, carried) =
                 (pressed + force, carried + force * entry.contact.friction_coefficient().max(0.3));
         }
@@ -140,7 +142,7 @@ impl Setup<3> {
             warnings.push(Warning::HeavyLoad { force: heaviest, pressed });
         }
         let angle = largest(&self.questions, &turned);
-        // A load that turns comes back to its beginning after one turn.
+        // A load that turns comes back to its beginning after one turn. More than two turns are therefore probably an angle in degrees.
         if angle > 2.0 * TAU {
             warnings.push(Warning::ManyTurns { angle });
         }
@@ -227,7 +229,7 @@ pub(super) fn far_load(distance: f64, size: f64) -> Option<Warning> {
     is_far.then_some(Warning::ManyMetres { what, length: distance, beside: Some(size) })
 }
 
-/// The loads that a question applies in addition to its base load.
+/// The loads that a question applies in addition to its base load; turning loads are not among them.
 pub(super) fn applied_loads(question: &Question<3>) -> Vec<Wrench<3>> {
     match question {
         Question::Hold { load, .. } | Question::Solve { load, .. } | Question::Compare { load, .. } => {
@@ -280,7 +282,7 @@ fn points_out(outline: &[SVector<f64, 3>], point: &SVector<f64, 3>, normal: &SVe
     is_inside(outline, &(point - step)) && !is_inside(outline, &(point + step))
 }
 
-/// Whether a point lies inside a closed line in the plane, because a ray from it along x crosses the line an odd number of times.
+/// Whether a point lies inside a closed line in the plane. This is so if a ray from the point along x crosses the line an odd number of times.
 fn is_inside(outline: &[SVector<f64, 3>], point: &SVector<f64, 3>) -> bool {
     let crossed = chosen(outline.len(), &|k| {
         let (a, b) = (&outline[*k], &outline[(k + 1) % outline.len()]);

@@ -1,18 +1,18 @@
-//! Whether an answer depends on the stiffness of contacts along their tangents. A setup is a grasp with its questions. Motions are small within the
-//! limits up to which the linear theory is trusted.
+//! Whether an answer depends on the tangential stiffness of contacts. A setup is a grasp with its questions. A motion counts as small as long as it
+//! stays within the limits up to which the linear theory is trusted.
 
 use super::setup::Setup;
 use crate::ask::Grasp;
 use crate::error::Error;
 use crate::grasp::inside;
 
-/// Relative change of a number of an answer beyond which the answer counts as dependent on the tangential stiffness.
+/// Relative change of any number of an answer beyond which the answer counts as dependent on the tangential stiffness.
 const DEPENDS: f64 = 0.05;
 
 impl<const C: usize> Setup<C> {
-    /// Indices of the questions whose answers change by more than 5 % if tangential stiffnesses change. The stiffness of all contacts is divided or
-    /// multiplied by ten, or the stiffness of one contact is multiplied by ten. Each question is answered with the limits of [small
-    /// motions](crate::Settings::small_motions).
+    /// Indices of the questions whose answers change by more than 5 % if tangential stiffnesses change. In the trials the tangential stiffness of all
+    /// contacts is divided by ten, that of all contacts is multiplied by ten, and that of each single contact is multiplied by ten. Each question is
+    /// answered with the limits of [small motions](crate::Settings::small_motions).
     ///
     /// # Errors
     /// As for [`Self::answers`].

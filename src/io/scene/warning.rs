@@ -1,4 +1,5 @@
-//! Warnings about probable mistakes in a scene. The scene can be answered nevertheless.
+//! Warnings about probable mistakes in a scene. The scene can be answered nevertheless. At rest means without load, or under the constant base load
+//! of a question.
 
 use serde::Serialize;
 

@@ -21,8 +21,8 @@ impl Setup<3> {
 }
 
 impl<const C: usize> Setup<C> {
-    /// Refuses a question, as JSON, with a mass or a turning weight on bodies that have a weight by their own masses; `path` is the field
-    /// that holds the question.
+    /// Refuses a question, given as JSON, that states a mass or a turning weight for bodies on which the gravity of the scene already acts. `path` is
+    /// the path of the question in the text, for the message.
     ///
     /// # Errors
     /// A [`Fault`] that names the field, and how to count the weight once.
@@ -43,7 +43,8 @@ impl Setup<3> {
         }
     }
 
-    /// The path of the first field that counts a weight twice, and the message about it; `None` if no field does.
+    /// The path of the first field within `value` that counts a weight twice, and the message about it; `None` if no field does. `path` is the path
+    /// of `value`, and `body` the name of the body on which its loads act; `None` for the body on which the loads of questions act.
     fn weight_twice(&self, value: &Value, path: &str, body: Option<&str>) -> Option<(String, String)> {
         let fields = match value {
             Value::Array(list) => {

@@ -115,7 +115,7 @@ impl<'de, const C: usize> Deserialize<'de> for Wrench<C> {
                 let force: SVector<f64, 3> = by_axis(force);
                 points = Some(PointsOfAction::of(&force, &at.into()));
                 let through = Space::Spatial.wrench_of(&at.into(), &force);
-                // The rotation in the plane is about z, the last axis of space.
+                // `through` has six components, the last three of which are moments. In the plane only the very last counts, the moment about z.
                 let object = space.of_the_object();
                 for k in axes..object {
                     wrench[k] += through[6 + k - object];

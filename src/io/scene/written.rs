@@ -1,4 +1,4 @@
-//! The outermost object of a scene: its version, its id, and a setup in the plane or in space.
+//! The outermost object of a scene: its version, its id, and a setup in the plane or in space. A setup is a grasp with its questions.
 
 use std::fmt;
 

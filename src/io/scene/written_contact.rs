@@ -1,4 +1,5 @@
-//! A contact in the text of a scene, and its checks.
+//! A contact in the text of a scene, and its checks. A soft fingertip is a contact that is spread over a patch of points. A part is a grasped object
+//! that is given as a mesh.
 
 use std::sync::Arc;
 

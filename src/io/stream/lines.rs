@@ -1,8 +1,9 @@
 //! Answers lines of input in order, on all cores, in bounded memory.
 //!
-//! One thread reads lines and sends them in blocks to workers; the caller's thread writes the answers in order. For each block a queue of bounded
-//! length holds the receiving end of a channel for its answer; the reader waits while the queue is full. A block ends when it is full, or when no
-//! further line has arrived yet. Output is flushed before waiting, so that a user who types gets an answer to each line.
+//! One thread reads lines and sends them in blocks to workers; the caller's thread writes the answers in order. A queue of bounded length holds, for
+//! each block, the receiving end of a channel for the answer to this block. The reader waits while the queue is full. A block ends when it is full,
+//! or when no further line has arrived yet. Output is flushed before the program waits for input, so that a user at a keyboard gets an answer to each
+//! line.
 
 use std::io::{self, BufReader, Read, Write};
 use std::sync::Mutex;
@@ -23,7 +24,7 @@ pub const BLOCK_BYTES: usize = 1 << 16;
 pub struct Tally {
     /// Lines read, empty ones included.
     pub lines: usize,
-    /// Lines that were answered.
+    /// Lines whose questions were answered; blank lines count neither here nor as errors.
     pub answered: usize,
     /// Lines with an error in place of answers.
     pub errors: usize,
@@ -129,7 +130,7 @@ fn read_blocks(
     }
 }
 
-/// The next line without its newline; if it is too long, its beginning. `None` at the end of the input.
+/// The next line of input without its newline, or only the beginning of a line that is longer than [`LONGEST_LINE`]. `None` at the end of the input.
 fn read_line(input: &mut BufReader<impl Read>, number: usize) -> io::Result<Option<InputLine>> {
     use io::BufRead;
     let mut line = InputLine { number, text: Vec::new(), too_long: false };
@@ -177,7 +178,7 @@ fn write_blocks(
     Ok(tally)
 }
 
-/// The next item of a channel, `None` if the channel is closed. Output is flushed before waiting.
+/// The next item of a channel, `None` if the channel is closed. The output is flushed before the call waits for the item.
 fn receive<T>(from: &Receiver<T>, output: &mut impl Write) -> io::Result<Option<T>> {
     match from.try_recv() {
         Ok(item) => Ok(Some(item)),

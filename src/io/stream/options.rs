@@ -1,6 +1,6 @@
 //! Options of a stream. A leg is a section of a load program, whose load path is followed from event to event.
 
-/// Options of a stream.
+/// Options for answering a stream of scenes: number of threads, short or full answers, and limits beyond which a scene would delay all later ones.
 ///
 /// ```
 /// use grasp_lcp::stream::{StreamOptions, answer_lines};

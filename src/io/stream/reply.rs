@@ -33,7 +33,7 @@ pub(crate) struct Reply {
 }
 
 impl Reply {
-    /// The reply to a line: a mark that the line is blank, the answers of its scene, or an error.
+    /// The reply to a line of input: the statement that the line is blank, the answers of its scene, or an error.
     pub(super) fn to(line: &InputLine, options: &StreamOptions) -> Self {
         let text = line.text.trim_ascii();
         let (answers, brief, warnings, error, begins) = (None, None, Vec::new(), None, None);

@@ -56,7 +56,7 @@ pub(super) struct Picture<'a> {
     tips: Vec<DrawnFingertip<'a>>,
     load: Option<PlanarLoad>,
     way_out: Option<MovedOutlines>,
-    /// Largest extent of contact points, outlines and links of the hand along an axis, m; 1 m if there is none.
+    /// Largest extent of contact points, outlines and links of the hand along an axis, m; 1 m if all of these lie at one point.
     span: f64,
     /// Scale of forces, m/N.
     scale: f64,

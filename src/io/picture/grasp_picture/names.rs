@@ -1,5 +1,5 @@
-//! Names of fingertips, bodies and joints on a picture of a grasp, where they hide as little as possible. A fingertip is a contact with all its
-//! points.
+//! Names of fingertips, bodies and joints on a picture of a grasp, placed so that they hide as little as possible. A fingertip is a contact with all
+//! its points.
 
 use nalgebra::Vector2;
 
@@ -16,8 +16,8 @@ use crate::picture::words::short;
 use crate::words::printable;
 
 impl Picture<'_> {
-    /// Writes all names, including the names of the load and of the motion by which the object is lost. A name is left out if no free position
-    /// remains. If there are too many fingertips, all their names are left out. The number of missing names is stated below the picture.
+    /// Writes all names, including the names of the load and of the motion with which the object leaves the grasp. A name is left out if no free
+    /// position remains. If there are too many fingertips, all their names are left out. The number of missing names is stated below the picture.
     pub(super) fn write_names(
         &self,
         axes: &EqualScales,
@@ -54,7 +54,7 @@ impl Picture<'_> {
         if let Some(at) = leaves {
             labels.write(paper, at, &["where it goes, not to scale"], PLANAR.letters);
         }
-        // The name of a body is written last, inside the body, so that it leaves room for all other names.
+        // The name of a body is written last and inside the body, so that all other names have found their places before.
         for (motion, outline) in self.state().iter().flat_map(|state| &state.bodies).zip(&self.of.outlines) {
             if outline.len() > 2 {
                 let middle = outline.iter().sum::<Vector2<f64>>() / outline.len() as f64;

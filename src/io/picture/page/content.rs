@@ -1,4 +1,4 @@
-//! The content of a page: a grasp, outlines of the object and of fixtures, and answers.
+//! The content of a page: a grasp, outlines of the object and of fixtures, and answers. A fixture is something that does not move, such as a table.
 
 use super::frame::Frame;
 use crate::ask::Grasp;
@@ -22,7 +22,7 @@ use crate::picture::actuators::Actuators;
 /// * the moment of the load about its line of action (the whole moment of a load without force), with two heads. If the line is far from the grasp,
 ///   the force is drawn in the middle of the grasp, with the moment about this point;
 /// * displacements of the object at the contacts, with one magnification for all answers, which is written beside the picture;
-/// * axes of the motions that no contact resists, and the object displaced along the motion by which it is lost;
+/// * axes of the motions that no contact resists, and the object displaced along the motion with which it leaves the grasp;
 /// * links of a [hand](crate::grasp::Hand) in the initial posture, and its joints whose torque is at its limit.
 ///
 /// A table on the page has the numbers of the answer shown, in N, m and rad; for a soft fingertip it has sums, and the points on request. On narrow
@@ -64,7 +64,7 @@ pub struct Page {
     pub(super) actuators: Actuators,
 }
 
-/// A closed line on the object, or on one of several bodies, which moves with that body.
+/// A closed line that moves with the object, or with one of several bodies.
 #[derive(Debug, Clone)]
 pub(super) struct MovingLine {
     /// The index of the body; 0 if there is a single object.
@@ -93,7 +93,7 @@ impl Page {
         self.body_outline(0, corners)
     }
 
-    /// Adds a closed line on one of [several bodies](crate::grasp::Bodies), by its index from 0, which moves with that body. Otherwise as
+    /// Adds a closed line that moves with one of [several bodies](crate::grasp::Bodies); `body` is the index of this body, from 0. Otherwise as
     /// [`Self::outline`].
     pub fn body_outline(
         mut self,
@@ -127,23 +127,24 @@ impl Page {
         self.with(Frame { grasp: Some(grasp.to_inside()), ..frame })
     }
 
-    /// Adds an answer without an equilibrium, with the reason.
+    /// Adds an answer without an equilibrium. The page shows the sentence `why` in its place.
     pub fn nothing(self, label: impl Into<String>, why: impl Into<String>) -> Self {
         self.with(Frame::new(label.into(), Err(why.into())))
     }
 
-    /// Adds a sentence that is shown with the last answer.
+    /// Adds a sentence that is shown with the answer that was added last.
     pub fn says(self, sentence: impl Into<String>) -> Self {
         self.with_last(|frame| frame.says.push(sentence.into()))
     }
 
-    /// Draws a motion of the object in the last answer, such as the motion by which it is [lost](crate::hold::Lost::motion); draws nothing for
-    /// `None`. The displacement is scaled until it is visible, so only the direction of the motion matters.
+    /// Draws a motion of the object in the answer that was added last, such as the motion with which it [leaves the
+    /// grasp](crate::hold::Lost::motion); draws nothing for `None`. The displacement is scaled until it is visible, so only the direction of the
+    /// motion matters.
     pub fn maybe_leaving<const C: usize>(self, motion: Option<&Motion<C>>) -> Self {
         self.with_last(|frame| frame.leaving = motion.map(Face::to_inside))
     }
 
-    /// Sets the load of the last answer. This load is drawn if the answer has no equilibrium.
+    /// Sets the load of the answer that was added last. This load is drawn if the answer has no equilibrium.
     pub fn under<const C: usize>(self, load: Wrench<C>) -> Self {
         self.with_last(|frame| frame.load = Some(load.into_inside()))
     }
@@ -163,7 +164,7 @@ impl Page {
         self
     }
 
-    /// This page, in which `change` has changed the last answer, if the page has an answer.
+    /// Applies `change` to the answer that was added last; a page without answers stays as it is.
     fn with_last(mut self, change: impl FnOnce(&mut Frame)) -> Self {
         if let Some(frame) = self.frames.last_mut() {
             change(frame);

@@ -106,7 +106,7 @@ impl<'p> Drawing<'p> {
         };
         let states = || page.frames.iter().filter_map(Frame::state);
         let loads = || page.frames.iter().filter_map(Frame::load).map(|load| drawing.load(load));
-        // Arrows must remain visible even if a load acts far away, since the picture then shows a larger area.
+        // If a load acts far away, the picture shows a larger area. Its distance then determines the size, so that arrows remain visible.
         let away = |load: LoadArrow| (load.at - drawing.centre).norm();
         let size = loads().map(away).fold(span, f64::max);
         let mut largest = drawing.largest(states());
@@ -154,7 +154,7 @@ impl<'p> Drawing<'p> {
         most
     }
 
-    /// Scale of forces of all answers, m/N: the smallest of the scales that the answers would have alone.
+    /// Scale of forces of all answers, m/N: the smallest of the scales that the single answers would have.
     fn force_scale<'s>(&self, states: impl Iterator<Item = &'s Equilibrium>, largest: f64) -> f64 {
         let grasp = &self.page.grasp;
         let frames: Vec<_> = grasp.frames().list();
@@ -170,7 +170,7 @@ impl<'p> Drawing<'p> {
         states.map(scale).reduce(f64::min).unwrap_or_else(|| metres_per_newton(&[], self.size, largest))
     }
 
-    /// Sentences about the scales of the picture.
+    /// Sentences about the size of the grasp and the magnification of displacements, written beside the picture.
     pub(super) fn scales(&self) -> Vec<String> {
         let mut sentences = vec![format!("The grasp is {} m across.", short(self.span))];
         if self.displacement > 0.0 {

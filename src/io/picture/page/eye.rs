@@ -60,7 +60,7 @@ impl Default for View {
     }
 }
 
-/// A parallel projection.
+/// A parallel projection of points in space onto paper, in pixels.
 pub(super) struct Eye {
     /// Unit vector to the right on paper.
     right: Vector3<f64>,
@@ -120,7 +120,7 @@ impl Eye {
         Vector3::new(x + right, y - up, towards)
     }
 
-    /// A unit vector along a coordinate axis, projected onto paper: to the right and downwards.
+    /// The unit vector along a coordinate axis, projected onto paper: its components to the right and downwards.
     pub(super) fn along(&self, axis: usize) -> Vector2<f64> {
         Vector2::new(self.right[axis], -self.up[axis])
     }

@@ -13,9 +13,9 @@ pub(super) struct Frame {
     pub(super) shown: Result<Equilibrium<3>, String>,
     /// Sentences that are shown with the answer.
     pub(super) says: Vec<String>,
-    /// The motion by which the object is lost, if the caller has given one.
+    /// The motion with which the object leaves the grasp, if the caller has given one.
     pub(super) leaving: Option<Motion<3>>,
-    /// The load, if there is no equilibrium.
+    /// The load that is drawn if there is no equilibrium; an equilibrium has its own load.
     pub(super) load: Option<Wrench<3>>,
     /// The grasp of the answer, if the caller gave it. Unlike the page's grasp it may have, for example, the friction or the
     /// commands that a load needs.

@@ -14,7 +14,8 @@ use crate::picture::error::PictureError;
 use crate::picture::palette::{PINK, SKY, hex};
 use crate::picture::words::escaped;
 
-/// JavaScript for the choice of an answer, which planar and spatial pages share. The parts of a script are concatenated and use each other's names.
+/// JavaScript that lets the reader of a page choose an answer; planar and spatial pages share it. A page's script is a concatenation of such parts,
+/// which use each other's names.
 pub(super) const ANSWERS_SCRIPT: &str = include_str!("view/answers.js");
 const VIEW_SCRIPTS: [&str; 5] = [
     ANSWERS_SCRIPT,
@@ -25,7 +26,7 @@ const VIEW_SCRIPTS: [&str; 5] = [
 ];
 
 impl Page {
-    /// Writes the page. Names and labels may contain any characters.
+    /// The page as the text of an HTML file. Names and labels may contain any characters.
     ///
     /// # Errors
     /// [`PictureError`] if a corner of an outline or a number of an answer is not finite, or if an answer has another number of contacts than the

@@ -1,5 +1,5 @@
-//! A picture of the motion by which a spatial object is lost: the outlines of the object, displaced along this motion. The span is the largest extent
-//! of the grasp along an axis.
+//! A picture of the motion with which a spatial object leaves the grasp: the outlines of the object, displaced along this motion. The span is the
+//! largest extent of the grasp along an axis.
 
 use nalgebra::{Point3, Vector3};
 
@@ -23,7 +23,7 @@ impl Drawing<'_> {
             mapped(&line.corners, &|corner| (Vector3::from(*corner), twist))
         };
         let lines: Vec<Vec<_>> = mapped(&self.page.outlines, &moving);
-        // With several bodies a page does not know the body of a contact; arrows at contacts are therefore omitted.
+        // With several bodies a page does not know to which body a contact belongs; arrows at contacts are therefore omitted.
         let of_object = motion.bodies.is_empty().then_some(motion.object);
         let contacts = self.page.grasp.contacts().iter().map(Contact::point);
         let contacts =
@@ -33,7 +33,7 @@ impl Drawing<'_> {
         let speed =
             |(point, twist): &(Vector3<f64>, Twist)| Vector3::from(twist.displacement_at(*point)).norm();
         let fastest = largest(&points, &speed);
-        // The fastest point moves by 0.15 of the span, so that the displacement is visible whatever the speed.
+        // The fastest point moves by 0.15 of the span. The motion has no meaningful speed, and this displacement is visible.
         let time = 0.15 * self.span / fastest;
         if !(time.is_finite() && time > 0.0) {
             return MovedLines { lines: Vec::new(), arrows: Vec::new() };

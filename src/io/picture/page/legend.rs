@@ -91,7 +91,7 @@ impl Entry {
     }
 
     fn lines(&self) -> Vec<String> {
-        // Texts without a sample have smaller letters and the whole width.
+        // A text without a sample of a mark has smaller letters and the whole width of the legend.
         let letters = if matches!(self.sample, LegendSample::None) { 32 } else { 24 };
         lines(&self.words, letters)
     }

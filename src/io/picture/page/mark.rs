@@ -1,4 +1,5 @@
-//! One graphical mark of a spatial picture: its shape in the coordinates of the grasp, and its JSON for the JavaScript of an HTML page.
+//! One graphical mark of a spatial picture: its shape in the coordinates of the grasp, and its JSON for the JavaScript of an HTML page. A fingertip
+//! is a contact with all its points.
 
 use std::fmt::Write;
 
@@ -22,7 +23,7 @@ pub(super) enum MarkLayer {
 }
 
 impl MarkLayer {
-    /// The word of the layer in the page's legend.
+    /// The name of the layer in the JSON of a mark, and at the checkbox of the page's legend that shows or hides the layer.
     fn word(self) -> &'static str {
         match self {
             Self::Forces => "forces",
@@ -42,7 +43,7 @@ pub(super) struct Mark {
     pub(super) shape: MarkShape,
     /// The layer by which the mark is shown or hidden; a mark without a layer is always shown.
     pub(super) layer: Option<MarkLayer>,
-    /// The index of the fingertip that the mark shows, if it shows one.
+    /// The index of the fingertip to which the mark belongs; `None` for a mark of something else, such as the object or the load.
     pub(super) tip: Option<usize>,
 }
 

@@ -1,4 +1,4 @@
-//! Convex parts of the object between its outlines, so that it looks like a solid instead of a wire frame.
+//! Convex parts of the object between its outlines. Drawn as areas, they make the object look like a solid instead of a wire frame.
 
 use super::content::MovingLine;
 use crate::numerics::{IntoList, mapped};

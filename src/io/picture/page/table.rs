@@ -15,7 +15,7 @@ use crate::picture::fingertip::without_rounding;
 use crate::picture::words::{caution, escaped, short};
 use crate::words::{LinkKind, Words};
 
-/// Headings of the table's columns, and their explanations.
+/// Headings of the table's columns, each with the explanation that appears when the mouse pointer is on it.
 const TABLE_COLUMNS: [(&str, &str); 10] = [
     ("contact", "name"),
     ("state", "what the contact does"),
@@ -54,7 +54,7 @@ pub(super) fn write_says(page: &mut String, frames: &[Frame]) {
     }
 }
 
-/// Opens a section of one of the answers; only the first is visible initially.
+/// Opens the section of the answer with the index `frame`; only the section of the first answer is visible initially.
 fn open(page: &mut String, frame: usize) {
     let hidden = if frame == 0 { "" } else { " hidden" };
     let _ = writeln!(page, "<section data-frame=\"{frame}\"{hidden}>");
