@@ -19,12 +19,12 @@ use crate::prelude::*;
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum PolygonFit {
-    /// Corners are on the circle: never more friction than on the round cone, and less by up to 1 - cos(π/m).
+    /// Corners are on the circle: never more friction than on the round cone, and less by up to the fraction 1 - cos(π/m).
     #[default]
     Inscribed,
-    /// Facets touch the circle: never less friction than on the round cone, and more by up to 1/cos(π/m) - 1.
+    /// Facets touch the circle: never less friction than on the round cone, and more by up to the fraction 1/cos(π/m) - 1.
     Circumscribed,
-    /// Facets are as far inside the circle as corners outside: facets at the distance `cos(π/m)^(1/2)`, corners at its reciprocal.
+    /// Facets lie inside the circle, corners outside by the same factor: facets at the distance `cos(π/m)^(1/2)`, corners at its reciprocal.
     Balanced,
 }
 
@@ -56,7 +56,7 @@ pub struct PolygonCone {
 }
 
 impl PolygonCone {
-    /// Upper limit of the number of facets. With more facets, neighbouring facets would differ by little more than rounding.
+    /// Upper limit of the number of facets. With 4096 facets the polygon already differs from the circle by less than 3e-7 of its radius.
     pub const MOST_FACETS: usize = 4096;
 
     /// A polygonal cone with this number of facets.
@@ -71,7 +71,7 @@ impl PolygonCone {
         }
     }
 
-    /// The polygon of a square friction cone, with corners on both tangents.
+    /// The square friction cone with corners on both tangents, at `|F_t| = μ F_n`.
     pub(crate) const fn square() -> Self {
         Self { facets: 4, fit: PolygonFit::Inscribed }
     }

@@ -1,7 +1,7 @@
 //! Conversion of a twist, a motion to first order, to a finite rigid motion and back.
 //!
-//! The exponential map: the object moves along a screw of constant pitch whose velocity is the twist, for one unit of time. Let R(θ) be the rotation
-//! by the rotation vector θ. With the translation u of the origin, its component u∥ along θ and its component u⊥ across θ,
+//! The conversion is the exponential map: the object moves along a screw of constant pitch for one unit of time, and its velocity is the twist. Let
+//! R(θ) be the rotation by the rotation vector θ. With the translation u of the origin, its component u∥ along θ and its component u⊥ across θ,
 //!
 //! ```text
 //! rotation     R(θ)

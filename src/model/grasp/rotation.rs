@@ -100,8 +100,8 @@ impl Space {
         map
     }
 
-    /// The grasp map about `origin` with arms in units of `length`, rounded; and its rounding error, the exact map for `point` and `frame` minus the
-    /// rounded map.
+    /// The rounded grasp map, and its rounding error: the exact map for `point` and `frame` minus the rounded map. Moments are about `origin`, with
+    /// arms in units of `length`.
     pub(super) fn grasp_map_in_twice(
         self,
         size: Size,

@@ -181,8 +181,8 @@ impl Pad {
         (self.outline != Outline::Sampled).then(Vector3::zeros)
     }
 
-    /// The points of a flat patch, moved along the closing direction by the height of the profile. The fraction of the stiffness of each point is
-    /// proportional to its area on the inclined surface.
+    /// A pad whose points are those of a flat patch, moved along the closing direction by the height of the profile. The share of a point is
+    /// proportional to the area that it represents on the inclined surface.
     fn of_profile(patch: &SoftFingertip<3>, outline: Outline, profile: Profile) -> Self {
         let mut points = Vec::new();
         let mut stretch = 0.0;

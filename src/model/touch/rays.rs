@@ -28,8 +28,8 @@ pub(super) struct RayHit {
 pub(super) struct PadHits {
     /// The hit of the ray from each point of the pad; `None` for a ray that misses the part.
     pub(super) hits: Vec<Option<RayHit>>,
-    /// Least travel of the pad along the closing direction, m, at which it touches the part. Sample points and centre of the pad, and vertices of the
-    /// mesh, are considered.
+    /// Least travel of the pad along the closing direction, m, at which it touches the part. Touch is detected at the sample points and the centre of
+    /// the pad, and at the vertices of the mesh.
     pub(super) foremost: f64,
 }
 

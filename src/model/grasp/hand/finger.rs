@@ -46,7 +46,7 @@ pub(super) struct FingerContact<const C: usize> {
 #[must_use]
 pub struct Finger<const C: usize> {
     pub(super) joints: Vec<Joint<C>>,
-    /// Stiffness matrix of the joints, N m/rad, in addition to their own springs.
+    /// Stiffness matrix that couples the joints, N m/rad, in addition to their own springs; `None` without coupling.
     pub(crate) coupling: Option<DMatrix<f64>>,
     /// Compliance matrix of the finger, m/N: displacements along the axes of all contact frames per unit force along these axes. It acts in series
     /// with joints and pads.
