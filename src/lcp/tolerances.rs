@@ -34,7 +34,7 @@ pub(crate) const DOUBTFUL_PIVOT: f64 = 1e-7;
 /// A dictionary is recomputed if its values violate w = q + M z + d z₀ in some row by more than this fraction of the terms of the row.
 ///
 /// Up to this violation, values larger than 1e-10 of their terms have the correct sign. With a smaller limit, long paths are refactorised again and
-/// again. With a larger limit, the path may leave the path of exact arithmetic.
+/// again. With a larger limit, the computed path may visit other bases than the path in exact arithmetic.
 pub(super) const DRIFTED: f64 = 1e-10;
 
 /// This fraction of the largest |q_i| is added to the terms of every row when the drift of the dictionary, its violation of w = q + M z + d z₀, is
@@ -58,8 +58,8 @@ pub(super) const RETIRING_PIVOT: f64 = 1e-5;
 /// 1e14 are refused although refinement would give a solution, and so are P-matrices close to singular.
 pub(super) const ELIMINATED_PIVOT: f64 = 1e-14;
 
-/// A point whose residuals exceed rounding must solve the problem exactly for some q′ close to q. In balanced rows q′ may differ from q by this
-/// fraction of the largest entry of q.
+/// A point whose residuals are larger than rounding errors is accepted only if it solves the problem exactly for some q′ close to q. In balanced rows
+/// q′ may differ from q by this fraction of the largest entry of q.
 ///
 /// Residuals are relative to the terms of M z. If q is only 1e-10 of these terms, a point with residuals of 1e-10 may not depend on q at all. With a
 /// smaller fraction, good points of ill-conditioned problems are refused. With a larger fraction, points that do not depend on q are accepted.

@@ -145,8 +145,8 @@ impl LocalLaw<'_> {
         if most <= r {
             return Mode::Sticking;
         }
-        // Moves from facet to facet, each time to the neighbour whose condition `h·F_t <= r` the projected force violates. With equal tangential
-        // springs the first facet is final.
+        // Moves from facet to facet. `on_it` is the trial force projected onto the current facet. The next facet is the neighbour whose condition
+        // `h·F_t <= r` this projection violates. With equal tangential springs the first facet is final.
         for _ in facets {
             let h = &facets[usize::from(facet)];
             let softened = self.springs.force(h);
@@ -195,7 +195,7 @@ fn slip_per_force(springs: &Compliance, trial: &SVector<f64, 3>, traction: f64, 
     // then the λ at which the softer spring alone would have the force r. The bound must also exceed -1/k of the stiffer spring, where 1 + λk
     // vanishes.
     let [soft, stiff] = springs.tangential_range();
-    // Stopping tolerance: relative change of λ. The same number is the relative distance that the lower bound of λ keeps from the pole at -1/k of the
+    // The iteration stops when λ changes by at most this fraction. The lower bound of λ keeps the same relative distance from the pole at -1/k of the
     // stiffer spring.
     let last = 1e-8;
     let least = if excess >= 1.0 { 0.0 } else { ((excess - 1.0) / soft).max(-(1.0 - last) / stiff) };

@@ -96,7 +96,7 @@ impl LocalLaw<'_> {
         first.map(|first| (first, next))
     }
 
-    /// Whether the contact is limited by a round friction cone.
+    /// Whether a round friction cone limits the contact force.
     pub(super) fn has_a_round_edge(&self) -> bool {
         self.on_round_cone && self.cone().has_edges() && !self.is_bonded() && !self.is_absent()
     }

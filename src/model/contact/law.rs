@@ -157,7 +157,7 @@ impl<'c> LocalLaw<'c> {
         }
     }
 
-    /// All states that the law allows on the polygon, sticking first.
+    /// All states that the law allows on the polygonal cone, sticking first.
     pub(crate) fn states(&self) -> Vec<State> {
         if self.is_absent() {
             return vec![Mode::Open];

@@ -86,7 +86,7 @@ fn rest_of_factor(product: f64, known: f64, factor: f64) -> f64 {
 }
 
 impl LocalLaw<'_> {
-    /// Visits the equivalent springs of the contact in a state, at most one per axis.
+    /// Calls `visit` with each of the springs that are equivalent to the contact in a state, at most one per axis.
     pub(crate) fn for_each_spring(&self, state: &State, mut visit: impl FnMut(Spring)) {
         match state {
             Mode::Open => {}

@@ -304,9 +304,9 @@ impl<const C: usize> SoftFingertip<C> {
         self.points.iter().map(|place| (place.offset, place.weight))
     }
 
-    /// Tilting stiffness about a tangent, N m/rad: `k_n ⟨r²⟩/2` in space, `k_n ⟨x²⟩` in the plane. Here k_n is the normal stiffness, and ⟨r²⟩ and
-    /// ⟨x²⟩ are the mean squares of the points' distances from the centre. For a rectangle it is the smaller of the [two tilting
-    /// stiffnesses](SoftFingertip::tilting_stiffnesses).
+    /// Tilting stiffness about a tangent, N m/rad: `k_n ⟨r²⟩/2` in space, `k_n ⟨x²⟩` in the plane. Here k_n is the normal stiffness. ⟨r²⟩ and ⟨x²⟩
+    /// are the mean squares of the points' distances from the centre, weighted by their fractions of the stiffness. For a rectangle it is the smaller
+    /// of the [two tilting stiffnesses](SoftFingertip::tilting_stiffnesses).
     #[must_use]
     pub fn tilting_stiffness(&self, contact: &Contact<C>) -> f64 {
         let least = (1..C).map(|axis| self.square(axis)).fold(f64::INFINITY, f64::min);

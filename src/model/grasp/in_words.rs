@@ -24,8 +24,8 @@ impl<const C: usize> Wrench<C> {
             return (moment_size > 0.0).then_some((moment_size, "N m"));
         }
         let twisted = dot(force, moment).abs();
-        // A load is a single force along some line if its moment m is normal to its force f. It counts as normal if `|f·m|/(|f||m|)` is at most the
-        // following limit.
+        // A load is a single force along some line if its moment m is normal to its force f. It counts as normal if `|f·m|/(|f||m|)` is at most
+        // `SOLVED_ROUNDING`.
         (twisted <= SOLVED_ROUNDING * force_size * moment_size).then_some((force_size, "N"))
     }
 }

@@ -85,7 +85,7 @@ impl Twist<3> {
         let translation = Vector3::from(self.translation());
         let along = along(&rotation, &translation);
         let chord = along + (translation - along) * (0.5 * rotation.norm()).sinc();
-        // The half rotation: the rotation by half the angle about the same axis.
+        // The rotation by half the angle about the same axis. Its quaternion contains half of its own angle, i.e. a quarter of the whole.
         let quarter = 0.5 * rotation / 2.0;
         let angle = quarter.norm();
         let half = if quarter.norm_squared() <= f64::EPSILON * f64::EPSILON {

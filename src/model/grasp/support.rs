@@ -14,8 +14,8 @@ pub(crate) struct Support {
 }
 
 impl Support {
-    /// Coordinates in which the grasp map `map` or its rounding error `rest` has nonzero entries. Removes the rows of all other coordinates from the
-    /// memory of `map` and `rest`.
+    /// The ranges of coordinates that contain all nonzero entries of the grasp map `map` and of its rounding error `rest`. Rows outside these ranges
+    /// are removed from the memory of both.
     pub(super) fn of(space: Space, map: &mut Map, rest: &mut Map) -> Self {
         let count = map.size().count();
         let object = space.of_the_object().min(count);

@@ -11,7 +11,7 @@ use crate::numerics::{Space, Vector};
 use crate::prelude::*;
 use crate::words::listed;
 
-/// The pressure of the surrounding air at sea level, Pa: no vacuum pulls with more.
+/// The pressure of the surrounding air at sea level, Pa: the largest possible pull of a vacuum per area.
 pub(crate) const ATMOSPHERE: f64 = 101_325.0;
 
 /// The sentence of a message about suction cups that have opened: "cup opens all around, and its vacuum is gone".

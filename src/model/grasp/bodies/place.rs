@@ -82,7 +82,8 @@ impl PlacedBodies {
         }
     }
 
-    /// Assigns coordinates to every body except the object, with indices from `first` on, and returns the next free index.
+    /// Assigns coordinates to every body. The object has the first coordinates; all other bodies get indices from `first` on. Returns the next free
+    /// index.
     ///
     /// # Errors
     /// [`Error::Body`] if a contact names an unknown body, names no body although there are several, or has the same body on both sides.

@@ -12,7 +12,7 @@ use crate::prelude::*;
 pub(super) enum ContactMover {
     /// The contact is on the link behind this number of joints, and only these joints of the finger move it.
     Link(usize),
-    /// This Jacobian, along the coordinate axes, gives the motion of the contact.
+    /// This Jacobian gives the displacement of the contact along the axes x, y and z per unit displacement of each joint of the finger.
     World(DMatrix<f64>),
 }
 

@@ -26,7 +26,7 @@ pub(crate) struct Linkage {
     /// For each contact, pairs of the index of a coordinate, counted after the object's, and the displacement of the contact along x, y and z per
     /// unit of this coordinate.
     pub(crate) motions: Vec<Vec<(usize, SVector<f64, 3>)>>,
-    /// Drives (springs of joints and tendons). In the engine's list of sites, i.e. contacts and drives, they follow the contacts in this order.
+    /// Drives (springs of joints and tendons). The engine's list of sites holds all contacts, then these drives in the same order.
     pub(crate) drives: Vec<Drive>,
     /// Constant generalised forces on the coordinates: from joint torques, from tensions of tendons, and from contacts with a constant force.
     pub(crate) held_forces: Vector,
