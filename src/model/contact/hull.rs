@@ -1,7 +1,7 @@
 //! Convex hull of all stretches and forces that the contact law allows if only part of the state is known: a convex cone with few generators.
 //!
 //! A search proves that no equilibrium exists by dividing the states of the contacts into ever smaller sets. A label describes such a set of states
-//! of one contact: whether it is open or closed, whether it sticks or slides, and between which angles its friction points.
+//! of one contact. It fixes whether the contact is open or closed, whether it sticks or slides, and between which angles its friction points.
 //!
 //! The contact law is positively homogeneous: with a stretch v and a force F it also allows every positive multiple of both. This remains true if a
 //! label restricts the states. Let K be the diagonal matrix of the contact's stiffnesses, K_t its tangential part, and μ the coefficient of friction.

@@ -87,8 +87,8 @@ impl<'c> LocalLaw<'c> {
         !self.is_bonded() && (self.may_open() || !self.facets().is_empty())
     }
 
-    /// Whether the whole friction cone limits the contact force: always in an equilibrium of a contact that is not bonded, and for the rates of a
-    /// contact at the apex.
+    /// Whether the whole friction cone limits the contact force. In an equilibrium this is so for every contact that is not bonded; for the rates it
+    /// is so at the apex.
     #[inline(always)]
     pub(super) fn has_a_whole_cone(&self) -> bool {
         matches!(self.law, Law::Cone { .. })

@@ -90,7 +90,7 @@ impl Engine {
     }
 
     /// Commands of all contact points. The list `rows` has one command for each point, or one for each contact that is not a link. In the second case
-    /// all points of a soft fingertip get the command of the fingertip, and a point of a link gets `links(i)`, where i is the index of the point.
+    /// all points of a soft fingertip get the command of the fingertip. The point of a link with the index i then gets `links(i)`.
     ///
     /// # Errors
     /// [`Error::Size`] for another number of commands; [`Error::Contact`] for a number that is not finite.

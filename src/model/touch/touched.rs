@@ -53,8 +53,8 @@ impl Touched {
 /// Advance s of the pad, m, at which the forces of its points along the closing direction sum to `force`, N, if the part does not move. s is measured
 /// from the position in which the points have the gaps `gaps`, m.
 ///
-/// Let θ be the angle between the closing direction and the normal of a point with the gap g, k_n and k_t its stiffnesses, and μ the coefficient of
-/// friction. Once it touches, the point presses with `k_n cos θ (s - g)`. Along the tangent it pulls with the smaller of `k_t sin θ (s - g)` and μ
+/// Consider a point with the gap g, the stiffnesses k_n and k_t, and the coefficient of friction μ. Its normal makes the angle θ with the closing
+/// direction. Once it touches, the point presses with `k_n cos θ (s - g)`. Along the tangent it pulls with the smaller of `k_t sin θ (s - g)` and μ
 /// times its normal force. Both are proportional to s - g, so the sum is piecewise linear in s.
 pub(super) fn advance_under(
     force: f64,

@@ -146,9 +146,9 @@ impl PlacedBodies {
         }
     }
 
-    /// For each coordinate of the two bodies of a contact, except the object's: the index of the coordinate, counted after the object's coordinates,
-    /// and the relative displacement at the contact per unit of the coordinate. The relative displacement is that of the body on the other side of
-    /// the contact, less that of the body into which the normal points.
+    /// Relative displacement at a contact per unit of each coordinate of its two bodies. Coordinates of the object are left out; the index of a
+    /// coordinate is counted after them. The relative displacement is that of the body on the other side of the contact, less that of the body into
+    /// which the normal points.
     pub(crate) fn columns(&self, contact: usize, point: &SVector<f64, 3>) -> Columns {
         let object = self.space.of_the_object();
         let mut columns = Columns::new();

@@ -23,8 +23,8 @@ pub(crate) struct Linkage {
     /// Reference lengths by which the displacements of joints and other bodies are multiplied, so that all coordinates are lengths. Entries of the
     /// object's coordinates are 1.
     pub(crate) lengths: Vector,
-    /// For each contact, pairs of the index of a coordinate, counted after the object's, and the displacement of the contact along x, y and z per
-    /// unit of this coordinate.
+    /// Motion of each contact with the coordinates after the object's, as pairs. A pair has the index of a coordinate, counted after the object's,
+    /// and the displacement of the contact along x, y and z per unit of this coordinate.
     pub(crate) motions: Vec<Vec<(usize, SVector<f64, 3>)>>,
     /// Drives (springs of joints and tendons). The engine's list of sites holds all contacts, then these drives in the same order.
     pub(crate) drives: Vec<Drive>,
