@@ -19,12 +19,12 @@ use crate::prelude::*;
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum PolygonFit {
-    /// Corners are on the circle: never more friction than on the round cone, and less by up to the fraction 1 - cos(π/m).
+    /// Corners are on the circle: never more friction than on the round cone, and less by up to 1 - cos(π/m).
     #[default]
     Inscribed,
-    /// Facets touch the circle: never less friction than on the round cone, and more by up to the fraction 1/cos(π/m) - 1.
+    /// Facets touch the circle: never less friction than on the round cone, and more by up to 1/cos(π/m) - 1.
     Circumscribed,
-    /// Facets lie inside the circle, corners outside by the same factor: facets at the distance `cos(π/m)^(1/2)`, corners at its reciprocal.
+    /// Facets are as far inside the circle as corners outside: facets at the distance `cos(π/m)^(1/2)`, corners at its reciprocal.
     Balanced,
 }
 

@@ -13,7 +13,7 @@ use crate::numerics::{mapped, picked};
 use crate::prelude::*;
 use crate::words::{LinkKind, printable};
 
-/// A contact in a list of an answer, such as the contacts that slide. Perhaps only some points of a soft fingertip slide; `points` is their number.
+/// A contact in a list of an answer, such as the contacts that slide. Of a soft fingertip perhaps only some points slide; `points` is their number.
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
