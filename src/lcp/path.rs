@@ -37,7 +37,8 @@ pub(super) struct LemkePath {
 
 impl LemkePath {
     /// Computes the factors that balance the rows and columns of M, and multiplies q by the factors of the rows. Sets the perturbation p, which
-    /// breaks ties, to generic numbers in balanced rows. A dictionary must be computed afterwards, for example by [`Self::start_from_slacks`].
+    /// breaks ties, to irregular numbers, so that no two rows tie. A dictionary must be computed afterwards, for example by
+    /// [`Self::start_from_slacks`].
     pub(super) fn prepare(&mut self, m: &[f64], q: &[f64]) {
         self.scaling.balance(q.len(), m, q);
         self.p.clear();

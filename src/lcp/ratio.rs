@@ -1,8 +1,8 @@
 //! The ratio test: which basic variable blocks the entering variable, and the choice if several block it at once.
 //!
 //! **Ties.** Symmetric problems have ties at almost every step, and breaking them by index or size may lead to cycling. The rule used here is the
-//! lexicographic rule (Cottle, Pang & Stone, section 4.9) with a single generic vector p, for q + ε p with ε → 0+. The perturbed problem has no ties.
-//! The path of the perturbed problem is found by comparing the column of p among rows that tie; q itself is not changed.
+//! lexicographic rule (Cottle, Pang & Stone, section 4.9). It follows the path of the problem with q + ε p in place of q, where ε → 0+ and the vector
+//! p has irregular entries. This perturbed problem has no ties. Its path is found by comparing entries of p among rows that tie; q is not changed.
 //!
 //! z₀ is the covering variable of w = q + M z + d z₀. If z₀ is among the tied variables, it leaves, since the point with z₀ = 0 solves the problem.
 
@@ -14,7 +14,7 @@ use crate::numerics::{Loop, wide};
 /// The role of the covering variable z₀ on a path.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Covering {
-    /// z₀ is to become zero: it leaves as soon as possible.
+    /// z₀ is an artificial variable of Lemke's method and must become zero: it leaves the basis as soon as it can.
     Artificial,
     /// z₀ is the parameter of a family of problems, and may have any value.
     Parameter,
@@ -89,8 +89,8 @@ pub(super) fn blocking_row(
     best.map(|(row, ..)| row)
 }
 
-/// Whether the step that the blocking row `firm` allows makes the value of a doubtful row negative. u_i is the change of the basic variable of
-/// row i per unit of the entering variable. Row i is doubtful if −`certain` ≤ u_i < 0: u_i may then be noise.
+/// The row `firm` limits the step of the entering variable. Returns whether this step makes the value of a doubtful row negative. u_i is the change
+/// of the basic variable of row i per unit of the entering variable. Row i is doubtful if −`certain` ≤ u_i < 0: u_i may then be noise.
 ///
 /// A value counts as negative only beyond rounding: beyond its own rounding error, or the rounding error of the largest value. If no value
 /// becomes negative, it does not matter whether a doubtful row blocks first.

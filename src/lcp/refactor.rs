@@ -10,8 +10,8 @@ use super::tolerances::{DRIFT_FLOOR, ELIMINATED_PIVOT};
 use crate::numerics::generic;
 
 impl LemkePath {
-    /// Drift of the basic values, which rounding causes from pivot to pivot: the largest violation of w = q + M z + d z₀, relative to the terms of
-    /// its row plus [`DRIFT_FLOOR`] times the largest |q_i|.
+    /// Drift of the basic values, which rounding causes from pivot to pivot. It is the largest violation of w = q + M z + d z₀ in any row, divided by
+    /// the magnitude of the terms of this row plus [`DRIFT_FLOOR`] times the largest |q_i|.
     pub(super) fn drift(&mut self, m: &[f64]) -> f64 {
         self.compute_defect(m);
         let floor = DRIFT_FLOOR * largest(&self.q);
@@ -95,8 +95,8 @@ impl LemkePath {
         Ok(())
     }
 
-    /// Corrects the values of the basic variables for the defect q + M z + d z₀ − w that was computed last. Recomputes their `term_sizes` from
-    /// the magnitudes of the terms of that defect.
+    /// Corrects the values of the basic variables for the defect q + M z + d z₀ − w that was computed last. Also recomputes `term_sizes`, to which
+    /// the rounding errors of these values are proportional, from the magnitudes of the terms of that defect.
     pub(super) fn correct(&mut self) {
         self.dictionary.sum_terms(&self.terms);
         let mut effect = core::mem::take(&mut self.terms);
@@ -115,25 +115,25 @@ impl LemkePath {
         self.dictionary.sum_terms(&self.q);
     }
 
-    /// Prepares the covering variable z₀ to enter the current complementary basis. z₀ covers only the rows whose basic value is below −`noise`
-    /// times the size of its terms. Returns whether there are such rows.
+    /// Prepares the covering variable z₀ to enter the current complementary basis. A row is violated if its basic value is below −`noise` times the
+    /// size of its terms. Returns whether there are such rows.
     ///
-    /// In the dictionary, the column of z₀ then has an entry near 1 in each of these rows and 0 in the others. d becomes the covering vector that has
-    /// this column.
+    /// In the dictionary, the column of z₀ gets an entry near 1 in each violated row and 0 in the others. d becomes the covering vector that has this
+    /// column.
     pub(super) fn cover_violations(&mut self, m: &[f64], noise: f64) -> bool {
         let n = self.q.len();
         let dictionary = &mut self.dictionary;
         refill(&mut self.d, n, 0.0);
         let mut violated = false;
         for row in 0..n {
-            // With exact balancing factors this entry of the column of z₀ would be 1. Since the factors are rounded to powers of two, it is
-            // corrected by the rounding of the factor of its row or variable, and lies between 1/√2 and √2.
+            // `unit` is the entry of the column of z₀ in a violated row. With exact balancing factors it would be 1. The factors are rounded to
+            // powers of two; the entry is corrected by this rounding and lies between 1/√2 and √2.
             let unit = match dictionary.basic[row] {
                 LemkeVariable::W(i) => self.scaling.row_unit[i],
                 LemkeVariable::Z(j) => self.scaling.column_unit(j),
                 LemkeVariable::Covering => 1.0,
             };
-            // The perturbation p belongs to the variable and not to its row, since the order of rows depends on rounding.
+            // The perturbation p of a row is chosen by the row's basic variable, not by the row's position, which depends on rounding.
             dictionary.p[row] = unit * generic(index(dictionary.basic[row], n));
             dictionary.u[row] = 0.0;
             if dictionary.x[row] >= -noise * dictionary.term_sizes[row] {

@@ -67,7 +67,7 @@ pub(super) fn ignores_q(residuals: Residuals, q: &[f64], terms: &[f64], row: &[f
     q.iter().any(|q| *q != 0.0) && (0..q.len()).all(|i| is_lost(q[i], terms[i]))
 }
 
-/// Whether q_i is at most the fraction [`LOST`] of the magnitude of the terms of row i of M z.
+/// Whether q_i is at most the fraction [`LOST`] of `terms`, the magnitude of the terms of row i of M z + q.
 fn is_lost(q: f64, terms: f64) -> bool {
     q.abs() <= LOST * terms
 }

@@ -8,8 +8,8 @@
 //! Scaling by the largest entries has no such property: its result depends on the initial scaling. If M has zeros, q is included as one more
 //! column. Otherwise uncoupled blocks of M would each keep an undetermined factor.
 //!
-//! The data are multiplied only by powers of two, which causes no rounding and preserves ties. The part of ρ_i that is lost in rounding it to an
-//! integer enters the covering vector, where it does no harm.
+//! The data are multiplied only by powers of two, which causes no rounding and preserves ties. Each ρ_i is therefore rounded to an integer. The
+//! factor that row i lacks as a result enters the covering vector, where it does no harm.
 //!
 //! Ties are also the reason for solving the least-squares problem to rounding. Equal rows must get equal entries of the covering vector d. Nearly
 //! equal entries would turn ties into ill-conditioned near-ties.
@@ -27,7 +27,7 @@ use nalgebra::{DMatrix, DVector};
 pub(super) struct Scaling {
     pub(super) row: Vec<f64>,
     pub(super) column: Vec<f64>,
-    /// The factor row_i / 2^ρ_i of the balanced row i, due to rounding of the exponent ρ_i to an integer.
+    /// The quotient row_i / 2^ρ_i, from 1/√2 to √2: the effect of rounding the exponent ρ_i to an integer.
     pub(super) row_unit: Vec<f64>,
     rho: Vec<f64>,
     gamma: Vec<f64>,
@@ -78,7 +78,7 @@ impl Scaling {
     /// Computes the row exponents ρ by conjugate gradients from ρ = 0. The column exponents γ are eliminated: γ_j = −mean_i (log₂|M_ij| + ρ_i).
     fn descend(&mut self, pattern: &Pattern) {
         let n = self.rho.len();
-        // The residual, at ρ = 0, of the equations for the row exponents ρ.
+        // The conjugate gradients start with the residual at ρ = 0 of the equations for the row exponents ρ.
         self.residual.clear();
         self.residual.extend(self.rows.sum.iter().map(|sum| -sum));
         pattern.for_each(&self.columns.count, |j, count, column| {
@@ -125,7 +125,7 @@ impl Scaling {
         }
     }
 
-    /// The factor 2^γ_j / column_j of the balanced z_j, due to rounding of the exponent γ_j to an integer.
+    /// The quotient 2^γ_j / column_j, from 1/√2 to √2: the effect on the balanced z_j of rounding the exponent γ_j to an integer.
     pub(super) fn column_unit(&self, j: usize) -> f64 {
         (self.gamma[j] - self.gamma[j].round()).exp2()
     }

@@ -30,7 +30,7 @@ pub struct Series {
     lcp: Lcp,
     settings: Settings,
     workspace: Workspace,
-    /// Whether the workspace holds the dictionary of a complementary basis.
+    /// Whether the workspace holds the dictionary of a complementary basis, from which the next problem can start.
     started: bool,
 }
 

@@ -45,16 +45,16 @@ pub struct Settings {
     /// about 2ⁿ pivots.
     pub max_pivots: Option<usize>,
     /// Relative size from which a coefficient of the entering column can block the entering variable; smaller coefficients are noise (default 1e-11).
-    /// The coefficient must exceed this fraction of the terms of its own row, or of the largest entry of the column. That entry counts as at least 1
-    /// in the units in which nonzero entries of M lie near 1.
+    /// The coefficient must exceed this fraction of the largest entry of the column, or of the terms that were summed to compute the coefficient. The
+    /// largest entry counts as at least 1, after M has been scaled such that its nonzero entries lie near 1.
     ///
     /// The tolerance guards against pivots on rounding errors where the true coefficient is zero. These errors are some 1e-16 times the growth of the
     /// elimination. Below 1e-14 rounding errors become pivots and turn rays into wrong bases; above 1e-6 true blocking rows of ill-conditioned
     /// problems are overlooked.
     pub pivot_tolerance: f64,
-    /// Relative size below which a basic variable counts as zero after a step of the entering variable: the ratio of the remaining value to the
-    /// decrease in the step (default 1e-12). Variables that are zero in this sense after the shortest step tie. A value below its own rounding error
-    /// counts as zero in any case.
+    /// A basic variable counts as zero after a step of the entering variable if its remaining value is at most this fraction of its decrease in the
+    /// step (default 1e-12). Variables that are zero in this sense after the shortest step tie. A value below its own rounding error counts as zero
+    /// in any case.
     ///
     /// The tolerance is needed by the tie rule: rows that tie in exact arithmetic must be recognised as ties although rounding separates them. At 0
     /// exact ties may be missed, and if z₀ then does not leave, the path of a solvable problem continues into a ray. Above 1e-8 rows that do not tie
@@ -148,8 +148,8 @@ impl Settings {
         }
     }
 
-    /// Settings with which a single path is followed: without a linear program for a proof, without retries and without enumeration. Such settings
-    /// are for problems on which Lemke's method cannot fail, and for callers that have a better alternative to retries.
+    /// Settings with which a single path is followed: without a linear program for a proof, without retries, and without trying all 2ⁿ bases. Such
+    /// settings are for problems on which Lemke's method cannot fail, and for callers that have a better alternative to retries.
     pub(crate) fn one_path() -> Self {
         Self { prove_infeasible: false, retries: 0, enumerate_up_to: 0, ..Self::default() }
     }
@@ -159,8 +159,8 @@ impl Settings {
         self.max_pivots.unwrap_or_else(|| 10_000_usize.saturating_add(n.saturating_mul(100)))
     }
 
-    /// For a retry of a problem of n rows, the limit on the pivots of all paths together: the caller's limit, otherwise the `made` pivots of all
-    /// paths before plus 100 + 10 n.
+    /// For a retry of a problem of n rows, the limit on the pivots of all paths together. It is the caller's limit if one is set. Otherwise it is
+    /// `made`, the number of pivots of all earlier paths, plus 100 + 10 n.
     ///
     /// A path that needs about 2ⁿ pivots is thus not followed to its end a second time.
     pub(super) fn retry_limit(&self, n: usize, made: usize) -> usize {

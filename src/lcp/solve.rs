@@ -20,7 +20,8 @@ impl Lcp {
     /// Solves the problem by Lemke's method. An ordinary path has n to 3 n pivots.
     ///
     /// The first path may end without a solution. If it ended because of a pivot limit or an invalid covering vector that the caller has set, this
-    /// outcome is returned. Otherwise the following attempts are made until one decides the problem:
+    /// outcome is returned. Otherwise the following attempts are made until one decides the problem. The path may have ended in a ray, along which
+    /// the covering variable never vanishes. A Farkas vector y ≥ 0 with Mᵀy ≤ 0 and qᵀy < 0 proves that no solution exists.
     ///
     /// 1. the ray itself as a Farkas vector;
     /// 2. a Farkas vector from the linear program min { t : M z + q + t 1 ≥ 0, z, t ≥ 0 }
@@ -94,8 +95,8 @@ impl Workspace {
         self.answer(failure)
     }
 
-    /// Solves the problem like [`Self::solve`], but without the shortcut for q ≥ 0. The workspace thus always holds the dictionary at the end of
-    /// Lemke's path, even if this is the dictionary of the slack basis. `None` if the problem is solved.
+    /// Solves the problem like [`Self::solve`], but without the shortcut that returns z = 0 for q ≥ 0. The workspace thus always holds the dictionary
+    /// at the end of Lemke's path, which [`Self::solve_next`] needs. `None` if the problem is solved.
     pub(super) fn solve_first(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Unsolved> {
         if let Some(refused) = self.refuse(lcp, settings) {
             return Some(refused);

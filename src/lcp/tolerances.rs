@@ -5,7 +5,8 @@
 //!
 //! Tolerances that a caller may change are fields of [`Settings`](super::Settings), where the reasons for their values are given.
 
-/// A basic variable is zero below this fraction of the largest term of its value, or of the largest value of its kind.
+/// A basic variable z_j or w_i counts as zero below this fraction of the magnitude of the terms from which it was computed. Entries of z and of
+/// Farkas vectors may also count as zero below this fraction of the largest entry of their vector.
 ///
 /// Sums of n terms have relative errors of about nε, and a few pivots multiply them by a small number. With a smaller limit, noise remains in the
 /// basis and `degenerate` is not set. Above 1e-10, true values are set to zero, which the residuals do not show.
@@ -33,7 +34,7 @@ pub(crate) const DOUBTFUL_PIVOT: f64 = 1e-7;
 /// A dictionary is recomputed if its values violate w = q + M z + d z₀ in some row by more than this fraction of the terms of the row.
 ///
 /// Up to this violation, values larger than 1e-10 of their terms have the correct sign. With a smaller limit, long paths are refactorised again and
-/// again. With a larger limit, the path may leave the path of exact arithmetic.
+/// again. With a larger limit, the computed path may visit other bases than the path in exact arithmetic.
 pub(super) const DRIFTED: f64 = 1e-10;
 
 /// This fraction of the largest |q_i| is added to the terms of every row when the drift of the dictionary, its violation of w = q + M z + d z₀, is
@@ -57,8 +58,8 @@ pub(super) const RETIRING_PIVOT: f64 = 1e-5;
 /// 1e14 are refused although refinement would give a solution, and so are P-matrices close to singular.
 pub(super) const ELIMINATED_PIVOT: f64 = 1e-14;
 
-/// A point whose residuals exceed rounding must solve the problem exactly for some q′ close to q. In balanced rows q′ may differ from q by this
-/// fraction of the largest entry of q.
+/// A point whose residuals are larger than rounding errors is accepted only if it solves the problem exactly for some q′ close to q. In balanced rows
+/// q′ may differ from q by this fraction of the largest entry of q.
 ///
 /// Residuals are relative to the terms of M z. If q is only 1e-10 of these terms, a point with residuals of 1e-10 may not depend on q at all. With a
 /// smaller fraction, good points of ill-conditioned problems are refused. With a larger fraction, points that do not depend on q are accepted.
@@ -71,20 +72,21 @@ pub(crate) const BACKWARD_ERROR: f64 = 1e-6;
 /// Problems of condition 1e10 are not affected; with a larger fraction they would be refused.
 pub(crate) const LOST: f64 = 1e-11;
 
-/// Residual, in powers of two, at which the equations of the balancing exponents have converged.
+/// The equations for the balancing exponents (exponents of two) count as solved when their residual is below this number.
 ///
 /// Equal rows must get equal factors, or ties in the ratio test turn into near-ties. With a smaller limit, the iteration never converges. With a
 /// larger limit, such ties are separated.
 pub(super) const BALANCED_EXPONENTS: f64 = 1e-13;
 
-/// The rounding of a sum of n products and two further operations, relative to Σ|terms|: 8 (n + 2) ε.
+/// Bound on the rounding error of a sum of n products and two further operations, relative to Σ|terms|: 8 (n + 2) ε.
 ///
-/// The worst case is (n + 2) ε/2, but a Farkas vector is itself rounded. With a larger bound, vectors that prove nothing are accepted as proofs.
+/// The worst case for exact factors is (n + 2) ε/2, but a factor such as an entry of a Farkas vector is itself rounded. With a larger bound, vectors
+/// that prove nothing are accepted as proofs.
 pub(super) fn sum_rounding(n: usize) -> f64 {
     8.0 * (n as f64 + 2.0) * f64::EPSILON
 }
 
-/// Residuals of a point of n rows count as rounding up to (8 + n/8) ε: a row of n terms cannot be summed much more accurately.
+/// Residuals of a point of n rows that are at most (8 + n/8) ε count as rounding errors: a row of n terms cannot be summed much more accurately.
 ///
 /// With a smaller bound, points are refined without gain. With a larger bound, refinement stops one digit too early.
 pub(super) fn residual_rounding(n: usize) -> f64 {
@@ -104,7 +106,7 @@ pub(super) fn elimination_rounding(n: usize) -> f64 {
 /// With a larger limit, a call takes minutes. With a smaller limit, some problems remain undecided.
 pub(super) const MOST_ENUMERATED: usize = 20;
 
-/// The largest number of rows for which the vertices of a problem are tried, which are then at most a few thousand.
+/// The largest number of rows for which all vertices of a problem are tried (see `vertices`). For this number they are at most a few thousand.
 ///
 /// With a larger limit, the vertices cost more than the linear programs that they replace.
 pub(super) const MOST_ROWS_WITH_VERTICES: usize = 6;
@@ -115,10 +117,11 @@ pub(super) const MOST_ROWS_WITH_VERTICES: usize = 6;
 /// With a larger limit, these checks take longer than Lemke's path. With a smaller limit, proofs are longer than necessary.
 pub(super) const MOST_PAIRED_ROWS: usize = 48;
 
-/// 2⁵³, the largest denominator that is tried for the ratios of a Farkas vector: above 2⁵³ not all integers are doubles.
+/// 2⁵³, the largest common denominator that is tried for the ratios of the entries of a Farkas vector: above 2⁵³ not all integers are doubles.
 pub(super) const LARGEST_WHOLE: f64 = 9_007_199_254_740_992.0;
 
-/// The lower bound on Σ z_j that follows from a Farkas vector is reduced by this fraction, to cover the rounding error of the bound.
+/// A vector y that is nearly a Farkas vector gives a lower bound on Σ z_j for every z ≥ 0 with M z + q ≥ 0. The bound is reduced by this fraction, to
+/// cover its rounding error.
 ///
 /// With a smaller fraction, the bound may be too large. With a larger fraction, it is weaker than necessary.
 pub(super) const BOUND_ROUNDING: f64 = 1e-14;

@@ -1,8 +1,10 @@
 //! Vertices of small polyhedra, for problems in which linear programming has failed because entries differ by many orders of magnitude.
 //!
-//! Let α be the set of i with z_i basic, and ᾱ its complement. If the piece { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 } is not empty, it has a
-//! vertex: a point where k rows are zero and at most k of the z are nonzero. The cone of vectors y ≥ 0 with Mᵀy ≤ 0 has edges, and an edge with qᵀy <
-//! 0 proves that no z ≥ 0 satisfies M z + q ≥ 0. Each vertex or edge is the solution of a small regular system, balanced separately.
+//! The problem has n rows. Let α be the set of i with z_i basic, and ᾱ its complement. If the piece { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 } is
+//! not empty, it has a vertex: a point where k components of M z + q are zero and at most k entries of z are nonzero.
+//!
+//! A Farkas vector is a y ≥ 0 with Mᵀy ≤ 0 and qᵀy < 0. It proves that no z ≥ 0 satisfies M z + q ≥ 0. The vectors y ≥ 0 with Mᵀy ≤ 0 form a cone,
+//! and if Farkas vectors exist, some edge of this cone is one. Each vertex or edge is the solution of a small regular system, balanced separately.
 
 use super::farkas::cleaned;
 use super::linear_program::MARGINS;
@@ -13,8 +15,8 @@ use crate::numerics::{mapped, matrix_of, vector_of};
 use crate::prelude::*;
 use nalgebra::{DMatrix, DVector};
 
-/// Candidates for vertices of the set { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 }. Each candidate is given by z_α, for a basis α. In a
-/// candidate as many components of M z + q are zero as entries of z_α are nonzero. The caller must check the inequalities.
+/// Candidates for vertices of the set { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 } of the basis α (`alpha`). Each candidate is a vector z_α with k
+/// chosen entries that may be nonzero, such that k chosen components of M z + q vanish. The caller must check the other conditions.
 pub(super) fn of_piece<'a>(lcp: &'a Lcp, alpha: &'a [usize]) -> impl Iterator<Item = DVector<f64>> + 'a {
     let n = lcp.len();
     subsets(alpha.len()).filter(|columns| !columns.is_empty()).flat_map(move |columns| {
@@ -32,15 +34,15 @@ pub(super) fn of_piece<'a>(lcp: &'a Lcp, alpha: &'a [usize]) -> impl Iterator<It
     })
 }
 
-/// A Farkas vector among the edges of the cone { y ≥ 0, Mᵀy ≤ 0 }: the edge as computed, or moved inside the cone by a margin that covers
-/// rounding. `None` if no edge gives an exact proof.
+/// A Farkas vector, found among the edges of the cone { y ≥ 0, Mᵀy ≤ 0 }. It is the edge as computed, or this vector moved into the cone by a margin
+/// that covers rounding. `None` if no edge gives an exact proof.
 pub(super) fn farkas(lcp: &Lcp, scaling: &Scaling) -> Option<DVector<f64>> {
     let n = lcp.len();
     let (m, q) = scaling.balanced(&lcp.m, &lcp.q);
     let size_of_q = if q.amax() > 0.0 { q.amax() } else { 1.0 };
     subsets(n).filter(|rows| !rows.is_empty()).find_map(|rows| {
         let k = rows.len();
-        // An edge y is determined by its k nonzero entries, and by k − 1 columns of [M, q] whose product with y vanishes.
+        // An edge y is determined by the positions of its k nonzero entries, and by k − 1 columns of [M, q] whose products with y vanish.
         subsets(n + 1).filter(|columns| columns.len() + 1 == k).find_map(|columns| {
             let column = |j: usize, row: usize| if j < n { m[(row, j)] } else { q[row] / size_of_q };
             MARGINS.into_iter().find_map(|margin| {
@@ -87,7 +89,8 @@ fn subsets(count: usize) -> Subsets {
     Subsets { count, size: 0, bits: 0 }
 }
 
-/// Iterator over subsets: all subsets of one size, then those of the next size. Bit i of `bits` is 1 if i belongs to the next candidate.
+/// Iterator over subsets: all subsets of one size, then those of the next size. `bits` encodes the next set to be tested: bit i is 1 if i belongs
+/// to it. Only sets of the current size are returned.
 struct Subsets {
     count: usize,
     size: usize,

@@ -13,7 +13,8 @@ use crate::prelude::*;
 
 /// Memory of the solver that is reused from problem to problem.
 ///
-/// Once a workspace has solved a problem, it allocates nothing for other problems that are no larger, provided that their first path succeeds.
+/// Once a workspace has solved a problem, it allocates nothing for other problems that are no larger. Only problems whose first path of Lemke's
+/// method finds no solution need more memory.
 ///
 /// ```
 /// use grasp_lcp::lcp::{Lcp, OutcomeView, Settings, Workspace};
@@ -32,7 +33,7 @@ use crate::prelude::*;
 #[derive(Debug, Clone, Default)]
 pub struct Workspace {
     pub(super) path: LemkePath,
-    /// The point z, with slacks w, at the end of the last path.
+    /// The point z, with slacks w, at the end of the last path of Lemke's method.
     pub(super) point: LcpPoint,
     /// A second point, which replaces `point` if it has the smaller residuals.
     pub(super) candidate: LcpPoint,

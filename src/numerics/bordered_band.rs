@@ -80,7 +80,7 @@ mod tests {
                 band.add(i, j, x);
                 full[i][j] += x;
             };
-            // A chain of springs that is attached by a weak spring.
+            // The stiffness matrix of a chain of springs that is attached by a spring of stiffness `off`. For a small `off` it is nearly singular.
             for k in 1..count {
                 for (i, j, x) in [(k, k, 1.0), (k - 1, k - 1, 1.0), (k, k - 1, -1.0), (k - 1, k, -1.0)] {
                     add(i, j, x);

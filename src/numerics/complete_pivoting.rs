@@ -4,7 +4,7 @@ use super::tolerances::LINEARLY_DEPENDENT;
 use crate::numerics::{Indices, IntoList, Square, Vector};
 use crate::prelude::*;
 
-/// Complete-pivoting LU of the leading `rows x cols` block of a `D x D` matrix.
+/// Complete-pivoting LU of the block of the first `rows` rows and `cols` columns of a square matrix.
 #[derive(Debug, Clone)]
 pub(crate) struct CompletePivoting {
     lu: Square,
@@ -28,7 +28,8 @@ impl CompletePivoting {
             for j in k..cols {
                 for (i, entry) in a.column_slice(j)[..rows].iter().enumerate().skip(k) {
                     let size = entry.abs();
-                    // Among entries of equal size the pivot is the first one, row by row, in whatever order they are compared.
+                    // Among entries of equal size the pivot is the one in the first row, and there in the first column. The loops run column by
+                    // column.
                     if size > most || size == most && (i, j) < (pi, pj) {
                         (pi, pj, most) = (i, j, size);
                     }

@@ -158,7 +158,7 @@ fn add_up(stages: &[f64], length: f64, sum: Sum, y: &mut [f64]) {
 mod tests {
     use super::*;
 
-    /// The error of one step, and its estimate. The step turns the point (1, 0) about the origin by `angle`, as a solution of `y' = (-y₂, y₁)`.
+    /// The true and the estimated error of one step for `y' = (-y₂, y₁)`. The exact solution turns the point (1, 0) about the origin by `angle`.
     fn turn(angle: f64) -> (f64, f64) {
         let rate = |y: &[f64], out: &mut [f64]| {
             (out[0], out[1]) = (-y[1], 1.0 + y[0]);

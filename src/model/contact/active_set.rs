@@ -66,8 +66,8 @@ impl ActiveSet {
 
 impl LocalLaw<'_> {
     /// The law for the rates of force and stretch, per change of the load, of a contact with this active set. It is [`Law::Bonded`] if the force lies
-    /// inside the cone, [`Law::Edge`] on facets, and the whole contact law at the apex. For an open contact with a positive gap it is
-    /// [`Law::Absent`].
+    /// inside the cone, or if no conditions limit the force. It is [`Law::Edge`] on facets, and the whole contact law at the apex. For an open
+    /// contact with a positive gap it is [`Law::Absent`].
     pub(crate) fn law_of_rates(&self, active: &ActiveSet, state: &State) -> Law {
         if !self.has_edges() {
             Law::Bonded
@@ -119,8 +119,8 @@ impl LocalLaw<'_> {
     }
 
     /// Removes from the active set the facets whose friction margin grows at the force rate `line.rate`, except facets on which the contact slides.
-    /// Also removes the apex if the normal force or the gap grows. A force that leaves the apex may then move along facets; such facets are in the
-    /// set afterwards.
+    /// Also removes the apex if the normal force or the gap grows. If the force leaves the apex along facets, the set contains these facets
+    /// afterwards.
     pub(crate) fn drop_by_rates(&self, active: &mut ActiveSet, state: &State, line: &Line, gap: &GapLine) {
         let falls_short = |margin_rate: f64, weight: f64| margin_rate <= ZERO_SLACK * line.rate_size * weight;
         let stays_at_the_apex = || line.rate[0].abs() <= ZERO_SLACK * line.rate_size;
@@ -189,7 +189,7 @@ impl LocalLaw<'_> {
         let (p, weight) = (friction.normalize(), cone.round_weight());
         let rate = tangential(&line.rate);
         let across = (rate - p * p.dot(&rate)).norm();
-        // At the end of a slip the friction margin and the rate of this margin are zero only up to the error of the integration steps.
+        // When a contact has just stopped sliding, its friction margin and the rate of this margin are zero only up to the integration error.
         let on_the_edge = cone.round_margin(&line.force) <= NEGLIGIBLE * line.force_size * weight;
         // If the force rate across the friction direction is at most 1e-6 of the whole force rate, the force moves radially, outwards or inwards.
         on_the_edge

@@ -145,8 +145,8 @@ impl LocalLaw<'_> {
         if most <= r {
             return Mode::Sticking;
         }
-        // Moves from facet to facet, each time to the neighbour whose condition `h·F_t <= r` the projected force violates. With equal tangential
-        // springs the first facet is final.
+        // Moves from facet to facet. `on_it` is the trial force projected onto the current facet. The next facet is the neighbour whose condition
+        // `h·F_t <= r` this projection violates. With equal tangential springs the first facet is final.
         for _ in facets {
             let h = &facets[usize::from(facet)];
             let softened = self.springs.force(h);
@@ -177,11 +177,12 @@ impl LocalLaw<'_> {
 /// The slip per force λ, m/N, of a sliding contact with the friction limit r: `|S v_t| = r`, where S = (K_t⁻¹ + λ)⁻¹ and v_t is the tangential
 /// stretch. `trial` is the trial traction K_t v_t and `traction` its length; λ is positive if `traction` exceeds r. Newton's method starts at `near`.
 ///
-/// The secular equation 1/|S v| = 1/r, known from trust regions, is nearly linear in λ and concave. From any start the first Newton step leads to a λ
-/// below the root. From there λ increases towards the root and never passes it.
+/// The equation is solved in the form 1/|S v_t| = 1/r, known as the secular equation of trust-region methods. Its left side is concave in λ and
+/// nearly linear. From any start the first Newton step therefore leads to a λ below the root. From there λ increases towards the root and never
+/// passes it.
 fn slip_per_force(springs: &Compliance, trial: &SVector<f64, 3>, traction: f64, r: f64, near: f64) -> f64 {
-    // 1e-200 is the least ratio of the radius r to the traction; a smaller r is raised to this ratio. At this ratio S is already negligible compared
-    // with K, and r = 0 would have no finite λ.
+    // r = 0 would have no finite λ. The friction limit r is therefore raised to at least 1e-200 of the traction. At this ratio S is already
+    // negligible compared with K_t.
     let excess = traction / r.max(traction * 1e-200);
     if springs.is_isotropic() {
         return springs.deflection_along(1, excess - 1.0);
@@ -190,10 +191,11 @@ fn slip_per_force(springs: &Compliance, trial: &SVector<f64, 3>, traction: f64, 
     // A starting λ above 1e100 times the compliance of the stiffest spring is replaced by zero: squares would underflow, and Newton's steps could not
     // return.
     let mut lambda = if near * springs.stiffest() < 1e100 { near } else { 0.0 };
-    // A negative λ, for a traction shorter than r, means slip against the friction force. The lower bound of λ is the λ at which the softer spring
-    // alone would have the force r. The lower bound must also exceed -1/k of the stiffer spring, where 1 + λk vanishes.
+    // λ is at least 0 if the traction is at least r. For a shorter traction λ would be negative (slip against the friction force). Its lower bound is
+    // then the λ at which the softer spring alone would have the force r. The bound must also exceed -1/k of the stiffer spring, where 1 + λk
+    // vanishes.
     let [soft, stiff] = springs.tangential_range();
-    // Stopping tolerance: relative change of λ. The same number is the relative distance that the lower bound of λ keeps from the pole at -1/k of the
+    // The iteration stops when λ changes by at most this fraction. The lower bound of λ keeps the same relative distance from the pole at -1/k of the
     // stiffer spring.
     let last = 1e-8;
     let least = if excess >= 1.0 { 0.0 } else { ((excess - 1.0) / soft).max(-(1.0 - last) / stiff) };

@@ -35,13 +35,13 @@ impl Coulomb {
         self.mu > 0.0 && self.mu.is_finite()
     }
 
-    /// This cone, with infinite friction replaced by a very large finite coefficient, so that the cone has facets.
+    /// This cone, or for infinite friction a cone with a very large finite coefficient, which has facets.
     pub(crate) fn with_edges(self, springs: &Compliance) -> Self {
         if self.mu.is_finite() {
             return self;
         }
-        // A contact with infinite friction needs facets only to open, which it does at the apex of the cone. The coefficient grows with √(k_n/k_t) if
-        // this root exceeds one.
+        // A contact with infinite friction needs facets only to lose its tangential force when it opens, at the apex of the cone. The coefficient is
+        // so large that the contact does not slide before. If the normal spring is stiffer than the tangential springs, it grows with √(k_n/k_t).
         Self { mu: 1e8 * springs.ratio_to_the_last().sqrt().max(1.0) }
     }
 
@@ -83,7 +83,8 @@ impl Coulomb {
         self.mu + h.norm()
     }
 
-    /// Rounding error of the round cone's margin `μ F_n - |F_t|`, as a multiple of the rounding error of the force; 1 for infinite friction.
+    /// Rounding error of the round cone's margin `μ F_n - |F_t|`, as a multiple of the rounding error of the force. For infinite friction the
+    /// margin is infinite and has no rounding error; 1 then keeps products with this factor finite.
     #[inline(always)]
     pub(crate) fn round_weight(self) -> f64 {
         if self.mu.is_finite() { 1.0 + self.mu } else { 1.0 }

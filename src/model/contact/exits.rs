@@ -1,5 +1,8 @@
 //! The step along a straight line of contact forces at which a contact leaves its state: sticking, sliding or open. While a load grows and all
-//! contacts keep their states, the contact forces follow such a line. The apex of a friction cone is zero force.
+//! contacts keep their states, the contact forces follow such a line. The step is the parameter of the line.
+//!
+//! A polygonal friction cone has facets `h·F_t <= μ F_n` with outward normals h, tangential force F_t and normal force F_n. The apex of a cone is
+//! zero force. The margin of a force is `μ F_n - h·F_t` at a facet, and `μ F_n - |F_t|` on the round cone: zero on the edge, positive inside.
 
 use crate::numerics::{Each, IntoList};
 use nalgebra::SVector;
@@ -93,7 +96,7 @@ impl LocalLaw<'_> {
         first.map(|first| (first, next))
     }
 
-    /// Whether the contact is limited by a round friction cone.
+    /// Whether a round friction cone limits the contact force.
     pub(super) fn has_a_round_edge(&self) -> bool {
         self.on_round_cone && self.cone().has_edges() && !self.is_bonded() && !self.is_absent()
     }
@@ -105,7 +108,7 @@ impl LocalLaw<'_> {
         exits
     }
 
-    /// Visits all exits of the line of forces from the cone.
+    /// Calls `visit` with each exit of the line of forces from the cone.
     fn for_each_exit(&self, line: &Line, visit: impl FnMut(Exit)) {
         if self.has_a_round_edge() {
             self.round_exit(line).into_iter().for_each(visit);
@@ -114,8 +117,8 @@ impl LocalLaw<'_> {
         }
     }
 
-    /// Visits the exit at every facet of the polygon that the line reaches. If the contact has no facets but may open, the exit is the zero of the
-    /// normal force.
+    /// Calls `visit` for every facet of the polygonal cone that the line reaches, with the exit at this facet. If the contact has no facets but may
+    /// open, the only exit is the step at which the normal force vanishes.
     fn for_each_polygon_exit(&self, line: &Line, mut visit: impl FnMut(Exit)) {
         let (cone, facets) = (self.cone(), self.facets());
         if facets.is_empty() && self.may_open() {
@@ -135,8 +138,8 @@ impl LocalLaw<'_> {
         slack(force) / -slack(rate)
     }
 
-    /// The exit of the line from the round cone, `μ² F_n² = |F_t|²`. Its step s is the first root of a quadratic, in which a prime marks the rates of
-    /// the line:
+    /// The exit of the line from the round cone, `μ² F_n² = |F_t|²`. Its step s is the first root of the following quadratic. F_n and F_t are the
+    /// components of the force at s = 0, and F_n' and F_t' are their rates per unit of s:
     ///
     /// ```text
     /// c₀ + 2 c₁ s + c₂ s² = 0,   c₀ = (μF_n - |F_t|)(μF_n + |F_t|),   c₁ = μ²F_n F_n' - F_t·F_t',   c₂ = μ²F_n'² - |F_t'|²
@@ -153,7 +156,7 @@ impl LocalLaw<'_> {
         let on_edge = n0 - friction <= ZERO_SLACK * line.force_size * weight;
         let leaves = |at: &SVector<f64, 3>| at / at.norm().max(f64::MIN_POSITIVE);
         if on_edge {
-            // At the apex friction has no direction; the direction of its rate is used.
+            // At the apex the friction force is zero and has no direction. The direction of its rate takes its place.
             let outward =
                 if friction > ZERO_SLACK * line.force_size * weight { leaves(&t0) } else { leaves(&t1) };
             if let Some(exit) = line.linear(n0 - friction, n1 - outward.dot(&t1), weight, outward) {
@@ -179,8 +182,8 @@ impl LocalLaw<'_> {
                 step = better;
             }
         }
-        // For a line through the apex the quadratic has a double root at the apex, which costs half the digits. Beyond the apex the line continues in
-        // the opposite nappe of the cone, F_n < 0. The exit is then the root of the normal force F_n, which is linear in the step.
+        // A line through the apex continues beyond the apex in the opposite nappe of the cone, where F_n < 0. For such a line the quadratic has a
+        // double root at the apex, which costs half the digits. The exit is instead computed as the root of F_n, which is linear in the step.
         if let Some(apex) = line.linear(line.force[0], line.rate[0], 1.0, SVector::zeros()) {
             let missed = (t0 + t1 * apex.step).norm();
             let through = missed <= ZERO_SLACK * (line.force_size + apex.step * line.rate_size);
@@ -189,8 +192,8 @@ impl LocalLaw<'_> {
             }
             // Newton's method has not converged if its last step moves the root by more than 1e-8 of the root's distance from the apex.
             if step.is_nan() || step <= 0.0 || step > apex.step || moved > 1e-8 * (apex.step - step) {
-                // Near the apex the two roots differ only by rounding of the discriminant. The margin is negative at the apex, so Newton's method
-                // descends from the apex to the root before it.
+                // If the line passes close to the apex, rounding of the discriminant hides the difference between the two roots of the quadratic. The
+                // margin is negative at the step where F_n vanishes, so Newton's method starts there and goes back to the root before it.
                 let root = newton_from_above(apex.step, |step| {
                     let at = t0 + t1 * step;
                     (n0 + n1 * step - at.norm(), n1 - leaves(&at).dot(&t1))
@@ -205,7 +208,7 @@ impl LocalLaw<'_> {
         let facet = leaves(&(t0 + t1 * step));
         let closing = facet.dot(&t1) - n1;
         if closing <= ZERO_SLACK * line.rate_size * weight {
-            // The line touches the cone from inside, or the rates of the force are zero up to rounding.
+            // The margin does not decrease at this step: the line only touches the cone from inside, or the force does not change.
             return None;
         }
         let uncertainty = ZERO_SLACK * weight * (line.force_size + step * line.rate_size) / closing;
@@ -237,8 +240,8 @@ mod tests {
     use super::Line;
     use crate::contact::{Compliance, Coulomb, Law, LocalLaw, Polygon, PolygonCone, PolygonFit};
 
-    /// Along the line F_n = 1 - s and F_t = (a (1 - s), ε), with the step s and a < μ. At s = 1 the line misses the apex of the cone by ε. It leaves
-    /// the cone where |F_t| = μ F_n, at `√(μ² - a²) (1 - s) = ε`.
+    /// The forces on the line are F_n = 1 - s and F_t = (a (1 - s), ε), with the step s and a < μ. At s = 1 the line misses the apex of the cone by
+    /// ε. It leaves the cone earlier, where |F_t| = μ F_n: at the step with `√(μ² - a²) (1 - s) = ε`.
     #[test]
     fn a_line_beside_the_apex_leaves_before_it() {
         let springs = Compliance::new(&Vector3::new(1.0, 1.0, 1.0), 3);
@@ -249,7 +252,7 @@ mod tests {
         for (mu, a) in [(0.5, 0.0), (0.5, 0.3), (0.7, 0.69)] {
             let local =
                 LocalLaw::new(&springs, Coulomb::new(mu), &Law::Cone { gap: true }, &polygon, [true, false]);
-            // Rounding error of friction margins of about one, divided by the rate of the margin at the edge.
+            // Tolerance of the step: the rounding error of a friction margin of about 1 N, divided by the rate of the margin at the exit.
             let rounding = 1e-15 * mu * mu / (mu * mu - a * a);
             for missed in [1e-4, 1e-6, 1e-8, 1e-10, 1e-12] {
                 let (force, rate) = (Vector3::new(1.0, a, missed), Vector3::new(-1.0, -a, 0.0));
@@ -257,8 +260,8 @@ mod tests {
                 let (exit, _) = local.first_exit(&line).expect("leaves");
                 let left = missed / f64::sqrt(mu * mu - a * a);
                 assert!((1.0 - exit.step - left).abs() <= rounding, "{mu} {a} {missed}: {}", exit.step);
-                // Some friction remains at the exit, and its direction gives the facet: the line leaves the cone next to the apex. At the apex the
-                // facet would be zero.
+                // The line leaves the cone next to the apex, where some friction remains. The facet of the exit is then the unit vector of the
+                // friction force; for an exit at the apex it would be zero.
                 assert!(exit.facet.norm() > 0.9, "{mu} {a} {missed}: {}", exit.facet);
             }
         }

@@ -1,9 +1,12 @@
 //! Convex hull of all stretches and forces that the contact law allows if only part of the state is known: a convex cone with few generators.
 //!
-//! The law is positively homogeneous: with a stretch v and a force F it also allows every positive multiple of both. This remains true if a label
-//! restricts the states. A label fixes whether the contact is open or closed, whether it sticks or slides, and between which angles its friction
-//! points. Let e_n be the unit normal, e_t a unit tangent along an axis, and p any unit tangent. In force units `ξ = K v`, the hull is spanned by
-//! these pairs of ξ and F, two in each row:
+//! A search proves that no equilibrium exists by dividing the states of the contacts into ever smaller sets. A label describes such a set of states
+//! of one contact. It fixes whether the contact is open or closed, whether it sticks or slides, and between which angles its friction points.
+//!
+//! The contact law is positively homogeneous: with a stretch v and a force F it also allows every positive multiple of both. This remains true if a
+//! label restricts the states. Let K be the diagonal matrix of the contact's stiffnesses, K_t its tangential part, and μ the coefficient of friction.
+//! Let e_n be the unit normal, e_t a unit tangent along an axis, and p any unit tangent. In force units `ξ = K v`, the hull is spanned by pairs of ξ
+//! and F. Each row has two pairs:
 //!
 //! ```text
 //!                   ξ            F
@@ -33,7 +36,7 @@ pub(crate) struct Sector {
     pub(crate) to: f64,
 }
 
-/// A label: a restriction of the states of a contact, for one branch of the search over labels.
+/// A label: the set of states to which one branch of the search restricts a contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Label {
     Anything,
@@ -75,7 +78,7 @@ impl Label {
             (Self::Anything, [Self::Open, Self::Closed]) => true,
             (Self::Friction(whole), [Self::Sticking(a), Self::Sliding(b)]) => whole == a && whole == b,
             (Self::Closed, [Self::Friction(a), Self::Friction(b)]) => {
-                // The end of a full turn may differ from its beginning by this angle, the rounding error of their difference.
+                // The difference between the two angles at the ends of a full turn has a rounding error of up to 1e-14 rad.
                 joined([a, b]).is_some_and(|whole| whole.width() >= TAU - 1e-14)
             }
             (Self::Friction(whole), [Self::Friction(a), Self::Friction(b)])
@@ -99,7 +102,7 @@ impl Sector {
         self.to - self.from
     }
 
-    /// Number of equal parts of at most the width `most` into which the sector is divided; 16 at most.
+    /// The least number of equal parts of the sector whose width is at most `most`, rad; 16 if more would be needed.
     fn pieces(&self, most: f64) -> u8 {
         (1..16).find(|k| self.width() <= most * f64::from(*k)).unwrap_or(16)
     }
@@ -124,7 +127,8 @@ impl Sector {
 
     /// Directions whose nonnegative combinations include every direction of the sector.
     fn spanned(&self) -> impl Iterator<Item = [f64; 2]> {
-        // Largest angle between neighbouring spanning directions; it must stay below a half turn.
+        // Neighbouring directions differ by at most 0.6 π. From a half turn on, their nonnegative combinations would not include the directions
+        // between.
         let pieces = self.pieces(0.6 * PI);
         let step = self.width() / f64::from(pieces);
         let from = self.from;
@@ -250,8 +254,8 @@ impl LocalLaw<'_> {
         let slip = self.springs.slip(stretch, force);
         let (traction, friction) = (tangential_norm(&pushed), tangential_norm(force));
         let angle = |x: &SVector<f64, 3>| x[2].atan2(x[1]);
-        // Friction, or slip times stiffness, below the fraction `SOLVED_ROUNDING` of the larger forces counts as a rounding error and has no
-        // direction.
+        // A friction force below the fraction `SOLVED_ROUNDING` of normal force and traction counts as a rounding error and has no direction. So does
+        // a slip whose product with the stiffness is below this fraction of friction and traction.
         let towards = if friction > SOLVED_ROUNDING * (force[0].abs() + traction) {
             angle(force)
         } else {

@@ -3,7 +3,7 @@
 //! The forces of an equilibrium, and their rates as the load grows, solve problems of the same kind. In the equilibrium problem every contact has its
 //! whole cone. In the problem for the rates, a contact with its force inside the cone is bonded: it neither opens nor slides. An open contact is
 //! absent: it has no force. A contact with its force on an edge of the cone has only this edge as a condition. A contact at the apex has the whole
-//! cone again.
+//! cone again. The apex is zero force.
 
 use nalgebra::SVector;
 
@@ -81,13 +81,14 @@ impl<'c> LocalLaw<'c> {
         self.has_a_whole_cone() && self.friction.has_edges()
     }
 
-    /// Whether conditions limit the force of the contact while it is closed. A bonded or absent contact has no such conditions, nor has a
-    /// frictionless guide that is kept closed.
+    /// Whether conditions limit the force of the contact while it is closed. A bonded or absent contact has no such conditions. Nor has a
+    /// frictionless contact that is kept closed, like a wheel enclosed by a rail.
     pub(crate) fn has_edges(&self) -> bool {
         !self.is_bonded() && (self.may_open() || !self.facets().is_empty())
     }
 
-    /// Whether the whole friction cone limits the contact force. This law applies in an equilibrium, and to the rates of a contact at the apex.
+    /// Whether the whole friction cone limits the contact force. In an equilibrium this is so for every contact that is not bonded; for the rates it
+    /// is so at the apex.
     #[inline(always)]
     pub(super) fn has_a_whole_cone(&self) -> bool {
         matches!(self.law, Law::Cone { .. })
@@ -145,8 +146,8 @@ impl<'c> LocalLaw<'c> {
         if self.is_absent() { Mode::Open } else { Mode::Sticking }
     }
 
-    /// The state in which the contact has the least stiffness: sliding if its law is an edge, open if it may open. Under any other law it is the
-    /// state of the elastic trial.
+    /// The state in which the contact has the least stiffness: sliding if the force is on an edge of the cone, open if the contact may open. Under
+    /// any other law it is the state of the elastic trial, in which nothing slips or opens.
     pub(crate) fn yielding(&self) -> State {
         match self.law {
             Law::Edge(facets) if facets.len() == 2 => Mode::Corner(0),
@@ -156,7 +157,7 @@ impl<'c> LocalLaw<'c> {
         }
     }
 
-    /// All states that the law allows on the polygon, sticking first.
+    /// All states that the law allows on the polygonal cone, sticking first.
     pub(crate) fn states(&self) -> Vec<State> {
         if self.is_absent() {
             return vec![Mode::Open];

@@ -1,4 +1,4 @@
-//! One contact: its compliance, friction and states, independent of the scene.
+//! One contact: its compliance, friction and states, independent of the grasp to which it belongs.
 //!
 //! Every solver uses [`LocalLaw`]. Stiffnesses are used only through [`Compliance`], friction coefficients only through [`Coulomb`].
 //!
@@ -19,8 +19,8 @@
 //! | `hull` | convex hull of all stretches and forces that the law allows if only part of the state is known |
 //! | `most_work` | upper bound of a contact's work along a virtual motion |
 //! | `resistance` | upper bound of a contact's power against a motion, for any previous slip |
-//! | `edges` | the conditions on the force of a sticking contact, and the least of them over a set of forces |
-//! | `exits` | the distance along a straight line of forces at which a contact leaves its state |
+//! | `edges` | the conditions on the force of a sticking contact, and which of them a set of forces violates most |
+//! | `exits` | the step along a straight line of forces at which a contact leaves its state |
 //! | `turning_exits` | the angle of a turning load at which a contact leaves its state |
 //! | `active_set` | the edges reached at an event, and the law of the rates just after the event |
 //! | `tolerances` | limits below which a quantity counts as zero |

@@ -1,8 +1,10 @@
-//! Upper bound, in closed form, of the work of a contact along a virtual force and a virtual motion. A label restricts the states of the contact (see
-//! `hull`).
+//! Upper bound, in closed form, of the work of a contact along a virtual force and a virtual motion. A label restricts the states of the contact. Its
+//! hull is the convex cone of the stretches v and forces F that the label allows, spanned by a few generators; see `hull`.
 //!
-//! Let φ be the virtual force and u the virtual motion, and let `w(v, F) = φ·v + u·F`, c = K⁻¹φ and ξ = K v. The work w is bounded by its largest
-//! value at the generators of the label's hull, over the directions p of friction that the label allows:
+//! Let φ be the virtual force and u the virtual motion, and let `w(v, F) = φ·v + u·F` be the work. K is the diagonal matrix of the stiffnesses, K_t
+//! its tangential part, μ the coefficient of friction and c = K⁻¹φ. Indices n and t mark the normal and the tangential part of a vector. The work is
+//! bounded by its largest value at the generators of the hull, over all directions p of friction that the label allows. The following values are
+//! those of the generators before these are scaled. Both states, sticking and sliding, have the two values on the right.
 //!
 //! ```text
 //! open       -c_n,  |c_t|                      sticks, slides    (c + u)_n + μ (c + u)_t·p,   (c + u)_n
@@ -12,8 +14,8 @@
 //! The generators are scaled to length one in energy units (stretches times K^{1/2}, forces times K^{-1/2}). If none of these values is positive, the
 //! contact does no positive work in any state that the label allows.
 //!
-//! In the law for rates, a contact on an edge `μ F_n >= h·F_t` has other generators: forces along the edge both ways, forces into the cone, and slips
-//! along h.
+//! In the law for rates as the load grows, a contact may lie on an edge `μ F_n >= h·F_t` of the cone. Its generators are then forces along the edge
+//! in both directions, forces into the cone, and slips along h.
 
 use nalgebra::SVector;
 
@@ -30,7 +32,7 @@ impl LocalLaw<'_> {
     pub(crate) fn most_work(&self, label: &Label, phi: &SVector<f64, 3>, u: &SVector<f64, 3>) -> f64 {
         let c = self.springs.deflection(phi);
         let mut most = f64::NEG_INFINITY;
-        // Compares the work of one generator with the largest so far. The generator is given in force units, as ξ = K v and F.
+        // Compares the work of one generator with the largest so far. The generator is given by the forces ξ = K v and F.
         let mut note = |xi: &SVector<f64, 3>, force: &SVector<f64, 3>| {
             let size = (2.0 * (self.springs.stored(xi) + self.springs.stored(force))).sqrt();
             most = most.max((c.dot(xi) + u.dot(force)) / size);
@@ -83,8 +85,8 @@ impl LocalLaw<'_> {
         most
     }
 
-    /// The friction force at μ F_n = 1 that does the most work along a stretch. On the round cone its direction lies in the given sector; on a
-    /// polygon it is a corner.
+    /// The friction force at μ F_n = 1 with the largest component along the vector `along`. On the round cone its direction lies in `sector`; on a
+    /// polygonal cone it is a corner, in whatever sector.
     fn most_along(&self, sector: &Sector, along: &SVector<f64, 3>) -> SVector<f64, 3> {
         if self.on_round_cone {
             return sector.most_along(along);

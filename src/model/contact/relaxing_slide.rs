@@ -10,8 +10,9 @@
 //! dφ/ds = A sin(θ - φ) + B sin 2φ,      ds = dτ / (r p·K p),   A = k₁k₂ |v_t'|,   B = r' (k₂ - k₁)/2
 //! ```
 //!
-//! where v_t' has the angle θ. With only one of the two terms, the equation for φ has a closed solution: `under_stretch` with the term in A,
-//! `squeezed` with the term in B. The solution `under_stretch` also gives `∫ p·K p ds = ∫ dτ/r`, which determines s:
+//! where v_t' has the angle θ from the first tangent. s is called the path parameter; it is 0 where sliding begins. With only one of the two terms,
+//! the equation for φ has a closed solution: `under_stretch` with the term in A, `squeezed` with the term in B. The solution `under_stretch` also
+//! gives `∫ p·K p ds = ∫ dτ/r`, which determines s. With the initial angles ψ₀ and φ₀
 //!
 //! ```text
 //! under_stretch    tan(ψ/2) = tan(ψ₀/2) e^{-A s}, ψ = φ - θ
@@ -20,7 +21,7 @@
 //!
 //! Half a step `under_stretch`, a whole step `squeezed` and half a step `under_stretch` (Strang splitting) are correct to second order. They are
 //! exact for a constant normal force or equal springs. Sliding never stops: the slip rate γ obeys γ p·K p = p·K v_t' - r'. Whenever γ vanishes, the
-//! right-hand side has the derivative `(p⊥·K v_t')²/r` with respect to τ, which is not negative.
+//! right-hand side has the derivative `(p⊥·K v_t')²/r` with respect to τ. This is not negative, so γ does not become negative.
 
 use crate::numerics::Each;
 #[cfg(not(feature = "std"))]
@@ -38,7 +39,8 @@ pub(super) struct RelaxingSlide {
 }
 
 impl RelaxingSlide {
-    /// The unit direction of the friction force at the time τ at which `∫ dτ/r` is `per_radius`, in 1/N. Sliding begins with the direction `start`.
+    /// The unit direction of the friction force at a time τ. This time is given by `per_radius`, the integral `∫ dτ/r` since sliding began, in 1/N.
+    /// Sliding begins with the direction `start`.
     pub(super) fn direction_after(&self, start: [f64; 2], per_radius: f64) -> [f64; 2] {
         let [k1, k2] = self.tangential;
         // With equal springs `under_stretch` alone determines the direction, and s is per_radius / k₁.
@@ -54,8 +56,8 @@ impl RelaxingSlide {
             *(if off > 0.0 { &mut high } else { &mut low }) = s;
             let newton = s - off / self.stiffness(p);
             let next = if low <= newton && newton <= high { newton } else { 0.5 * (low + high) };
-            // Relative change of s at which the iteration ends, at the level of rounding. A coarser limit would make the force a discontinuous
-            // function of the stretch, which Newton's method for the motion of the object cannot use.
+            // The iteration ends when s changes by at most the fraction 1e-15, the level of rounding. A coarser limit would make the force a
+            // discontinuous function of the stretch, which Newton's method for the motion of the object cannot use.
             let last = (next - s).abs() <= 1e-15 * s;
             s = next;
             if last {
@@ -70,16 +72,16 @@ impl RelaxingSlide {
         self.tangential[0] * p[0] * p[0] + self.tangential[1] * p[1] * p[1]
     }
 
-    /// The unit direction p of the friction force after the increment s of the path parameter, by one Strang step. Also the integral `∫ p·K p ds`
-    /// over this increment.
+    /// The unit direction p of the friction force after the path parameter has grown by s, computed by one Strang step. Also returns the integral
+    /// `∫ p·K p ds` over this increment.
     fn split_step(&self, start: [f64; 2], s: f64) -> ([f64; 2], f64) {
         let (p, first) = self.under_stretch(start, 0.5 * s);
         let (p, second) = self.under_stretch(self.squeezed(p, s), 0.5 * s);
         (p, first + second)
     }
 
-    /// The unit direction p of the friction force after the increment s of the path parameter, at constant normal force, while the tangential stretch
-    /// changes. Also the integral `∫ p·K p ds` over this increment.
+    /// The unit direction of the friction force after the path parameter has grown by s from the direction p. The tangential stretch changes and the
+    /// normal force is constant. Also returns the integral `∫ p·K p ds` over this increment.
     fn under_stretch(&self, p: [f64; 2], s: f64) -> ([f64; 2], f64) {
         let [k1, k2] = self.tangential;
         let size = (self.stretched[0] * self.stretched[0] + self.stretched[1] * self.stretched[1]).sqrt();
@@ -100,8 +102,8 @@ impl RelaxingSlide {
         ([cos * e[0] - sin * e[1], sin * e[0] + cos * e[1]], integral)
     }
 
-    /// The unit direction of the friction force after the increment s of the path parameter, if the tangential stretch is constant and the normal
-    /// force changes.
+    /// The unit direction of the friction force after the path parameter has grown by s from the direction p. The tangential stretch is constant and
+    /// the normal force changes.
     fn squeezed(&self, p: [f64; 2], s: f64) -> [f64; 2] {
         // The exponent is clamped to this magnitude. Beyond it no digit of the previous direction would remain; up to it squares do not overflow.
         let far = 300.0;
@@ -116,8 +118,8 @@ impl RelaxingSlide {
 mod tests {
     use super::RelaxingSlide;
 
-    /// The direction at τ = 1 as a reference, from the direction `start`. The first equation of the file header is integrated by a million steps of
-    /// the midpoint rule. The radius r of the cone is 1 at τ = 0.
+    /// Reference value of the friction direction at τ = 1, if it is `start` at τ = 0. A million steps of the midpoint rule integrate the first
+    /// equation of the file header. The radius r of the cone is 1 at τ = 0.
     fn in_tiny_steps(slide: &RelaxingSlide, start: [f64; 2]) -> [f64; 2] {
         let [k1, k2] = slide.tangential;
         let (drawn, steps) = ([k1 * slide.stretched[0], k2 * slide.stretched[1]], 1_000_000);

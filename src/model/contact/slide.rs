@@ -1,13 +1,15 @@
 //! Sliding on the round cone, linearised: the slip direction turns as the stretch changes.
 //!
-//! Let the slip be `s = λ F_t`, p = F_t / |F_t| and S = (K_t⁻¹ + λ)⁻¹. Then the differential of the force is the sum of two springs,
+//! Let v be the stretch of the contact's springs, K_t the diagonal matrix of the tangential stiffnesses, and F_n and F_t the normal and the friction
+//! force. The slip is `s = λ F_t`, which defines the slip per force λ. Let p = F_t / |F_t| and S = (K_t⁻¹ + λ)⁻¹. Then the differential of the
+//! friction force is the sum of two terms,
 //!
 //! ```text
 //! dF_t = μ dF_n P + κ d (d·dv),     P = S p / (p·S p),     κ = det S / (p·S p)
 //! ```
 //!
-//! where d is the tangent at right angles to p. The first term is the force on a facet of the cone with normal p. The second term is a spring across
-//! the slip direction, which the slip softens.
+//! where d is the unit tangent at right angles to p. The first term is the friction on a facet of the cone with normal p. The second term is the
+//! force of a spring across the slip direction, which the slip softens.
 
 use nalgebra::SVector;
 

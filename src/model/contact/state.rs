@@ -1,4 +1,7 @@
 //! The states of a contact: open, sticking, or sliding on a facet, at a corner or on the round cone.
+//!
+//! F is the contact force with the normal part F_n and the tangential part F_t, and μ the coefficient of friction. K is the stiffness matrix of the
+//! contact's springs and v their stretch. h_j is the outward normal of facet j of a polygonal cone, and p a unit tangent.
 
 use nalgebra::SVector;
 

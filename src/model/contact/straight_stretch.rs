@@ -1,18 +1,19 @@
 //! The exact force after a stretch that grew along a straight line, while the slip direction turned.
 //!
-//! A sliding contact on the round cone with equal tangential stiffnesses has its friction force at an angle ψ from the traction rate `d = k_t v_t'`.
-//! Let d be constant and the radius `r = μ F_n` linear in the time τ from 0 to 1. Let ψ₀ and r₀ be the values at the start of an interval Δτ, and r₁
-//! the radius at its end. Then
+//! While the stretch grows, the time τ runs from 0 to 1; a prime is a derivative with respect to τ. Let k_t be the tangential stiffness, equal in all
+//! directions, and v_t the tangential stretch. A contact that slides on the round cone has its friction force at an angle ψ from the traction rate
+//! `d = k_t v_t'`. Let d be constant and the radius `r = μ F_n` of the cone linear in τ. Let ψ₀ and r₀ be the values at the start of an interval Δτ,
+//! and r₁ the radius at its end. Then
 //!
 //! ```text
 //! r ψ' = -|d| sin ψ        tan(ψ/2) = tan(ψ₀/2) exp(-|d| ∫dτ/r),      ∫dτ/r = Δτ ln(r₁/r₀) / (r₁ - r₀)
 //! ```
 //!
-//! With two different stiffnesses [`RelaxingSlide`] gives the direction. Once sliding begins, it continues to the end, since |d| cos ψ grows and r'
-//! is constant. The return map of [`LocalLaw::answer`] uses only the final stretch instead. The return map is exact if sliding starts at the apex,
-//! where the traction keeps its direction; otherwise the return map is correct to first order. For the same closed form with a constant radius see R.
-//! D. Krieg and D. B. Krieg, Accuracies of numerical solution methods for the elastic-perfectly plastic model, J. Pressure Vessel Technology 99
-//! (1977) 510.
+//! With two different tangential stiffnesses [`RelaxingSlide`] gives the direction. Once sliding begins, it continues to the end, since |d| cos ψ
+//! grows and r' is constant. The return map of [`LocalLaw::answer`] uses only the final stretch instead. The return map is exact if sliding starts at
+//! the apex, where the traction keeps its direction; otherwise the return map is correct to first order. For the same closed form with a constant
+//! radius see R. D. Krieg and D. B. Krieg, Accuracies of numerical solution methods for the elastic-perfectly plastic model, J. Pressure Vessel
+//! Technology 99 (1977) 510.
 
 use crate::numerics::Each;
 use nalgebra::SVector;
@@ -71,7 +72,8 @@ impl LocalLaw<'_> {
         if size >= r * (1.0 - SOLVED_ROUNDING) && t.dot(&d) > growth * size {
             return Some(0.0);
         }
-        // Solves |t + τ d|² = (r + τ r')²; the difference of both sides is negative inside the cone.
+        // Solves |t + τ d|² = (r + τ r')² for τ. t is the traction at τ = 0 and d its rate; r is the friction limit at τ = 0 and r' (`growth`) its
+        // rate. The left side less the right side is negative inside the cone.
         let (a, b) = (d.norm_squared() - growth * growth, t.dot(&d) - r * growth);
         let c = ((size - r) * (size + r)).min(0.0);
         let root = b * b - a * c;
@@ -89,7 +91,7 @@ impl LocalLaw<'_> {
         let [r0, r1] = [from[0], normal].each(|f| self.friction.limit(f.max(0.0)));
         // The integral ∫dτ/r over the remaining time, with the friction limit r.
         let x = (r1 - r0) / r0;
-        // Below this relative difference of the radii the first terms of the series replace the logarithm.
+        // For |x| < 1e-7 the first terms of the series replace the quotient ln(1 + x)/x, which is 0/0 for equal radii.
         let per_radius = rest / r0 * if x.abs() < 1e-7 { 1.0 - 0.5 * x } else { x.ln_1p() / x };
         let friction = tangential(from);
         let size = friction.norm();

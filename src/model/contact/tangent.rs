@@ -1,4 +1,5 @@
-//! The tangent stiffness C of one contact, with `dF = C dv`, as a sum of a few dyads.
+//! The tangent stiffness C of one contact, as a sum of a few dyads. A change dv of the stretch changes the contact force by `dF = C dv`. K is the
+//! diagonal matrix of the stiffnesses, k_n the normal stiffness, e_n the unit normal, and μ the coefficient of friction.
 //!
 //! ```text
 //! sticking    C = K

@@ -1,4 +1,4 @@
-//! The angle by which a load can turn before a contact leaves its state.
+//! The angle by which a load can turn before a contact leaves its state. The point at which it does so is called an exit.
 //!
 //! As long as no contact changes its state, a contact force is `F(φ) = F₀ + F_c cos φ + F_s sin φ` at the angle φ of the load. Gaps, and friction
 //! margins `μ F_n - h·F_t` at facets with normal h, have the same form. On the round cone `(μF_n)² - |F_t|²` is a trigonometric polynomial of degree
@@ -101,8 +101,9 @@ impl LocalLaw<'_> {
         })
     }
 
-    /// The exit of a force from the round cone while the load turns. It is at the first angle up to `most`, rad, at which `(μF_n)² - |F_t|²` becomes
-    /// negative or, at the apex, F_n does. A force that only touches the cone gives [`TurningExit::Touches`]; `None` without any such angle.
+    /// The exit of a force from the round cone while the load turns, at an angle of at most `most`, rad. At this angle `(μF_n)² - |F_t|²` becomes
+    /// negative, or F_n if the force passes through the apex. A force that only touches the cone gives [`TurningExit::Touches`]. `None` if the force
+    /// stays inside the cone.
     fn round_turning_exit(&self, wave: &Wave, most: f64) -> Option<TurningExit> {
         let cone = self.cone();
         let weight = cone.round_weight();
@@ -179,7 +180,7 @@ fn outward(force: &SVector<f64, 3>) -> SVector<f64, 3> {
 /// The behaviour of a margin, a quantity that must stay positive, at the start of a turn of the load, φ = 0.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Start {
-    /// The margin is positive for small φ > 0; `roots` of its roots lie at φ = 0 up to rounding.
+    /// The margin is positive for small φ > 0. `roots` is the number of its roots that lie at φ = 0 up to rounding.
     Above { roots: usize },
     /// The margin is zero at φ = 0 and negative just after it.
     Falls,
@@ -192,8 +193,8 @@ impl Start {
     /// a rate up to `rate_slack`.
     fn of(margin: &Trigonometric, slack: f64, rate_slack: f64) -> Self {
         let [value, slope, bend] = margin.at_the_beginning();
-        // The load at φ = 0 has a rounding error, since this load is the computed end of the previous part of the load path. A margin that will grow
-        // may first decrease, but by no more than the slack.
+        // The load at φ = 0 has a rounding error, since this load is the computed end of the previous part of the load path. A margin that is zero at
+        // the start and then grows may therefore appear to decrease first, but by no more than the slack.
         let dips = bend > 0.0 && value - 0.5 * slope * slope / bend >= -slack;
         if value > slack || slope > rate_slack {
             Self::Above { roots: usize::from(value <= slack) }

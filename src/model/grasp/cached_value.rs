@@ -1,4 +1,4 @@
-//! A value computed once for a grasp and kept with it.
+//! A value that is computed once for a grasp and then kept with the grasp.
 
 use alloc::sync::Arc;
 use core::any::Any;

@@ -89,8 +89,8 @@ impl Engine {
         Ok(grasp)
     }
 
-    /// Commands of all contact points, from a list `rows` with one command for each point, or one for each contact that is not a link. In the second
-    /// case all points of a soft fingertip get the command of the fingertip. The point of a link with the index i gets `links(i)`.
+    /// Commands of all contact points. The list `rows` has one command for each point, or one for each contact that is not a link. In the second case
+    /// all points of a soft fingertip get the command of the fingertip. The point of a link with the index i then gets `links(i)`.
     ///
     /// # Errors
     /// [`Error::Size`] for another number of commands; [`Error::Contact`] for a number that is not finite.

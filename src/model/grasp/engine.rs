@@ -38,8 +38,8 @@ pub(crate) struct Engine {
     pub(super) vacuum: Option<Box<Vacuum>>,
     /// Factors of the stiffness matrix of the elastic trial, a state in which all contacts stick; computed on first use.
     trial: CachedValue,
-    /// Contact states of a similar grasp in equilibrium under its base load, which acts before the asked load grows. Searches for an equilibrium of
-    /// many coordinates begin near these states. Empty if no such states are known.
+    /// Contact states of a similar grasp in equilibrium under its base load, which acts before the asked load grows. In a grasp of many coordinates
+    /// the search for an equilibrium begins near these states. Empty if no such states are known.
     pub(crate) near: Vec<State>,
 }
 
@@ -51,7 +51,7 @@ impl Engine {
         Self::of(space, Size::of(space.of_the_object()), contacts, &|_| true)
     }
 
-    /// A grasp whose contacts may be moved by joints and by bodies other than the object. `size` is the number of all coordinates: of object, joints
+    /// A grasp whose contacts may be moved by joints and by bodies other than the object. `size` is the number of all coordinates of object, joints
     /// and other bodies.
     pub(super) fn by_hand(size: Size, contacts: Vec<Contact<3>>, linkage: Linkage) -> Result<Self, Error> {
         let on_object =
@@ -66,8 +66,8 @@ impl Engine {
         Ok(grasp)
     }
 
-    /// A copy of this grasp with other contact data at the same contact points. Of the joint or tendon with index k, the stiffness is multiplied by
-    /// `times(k)[0]`, the command and the constant torque or tension by `times(k)[1]`.
+    /// A copy of this grasp with other contact data at the same contact points. `times` gives two factors for the joint or tendon with index k. The
+    /// first multiplies its stiffness, the second its command and its constant torque or tension.
     pub(crate) fn with_data(
         &self,
         contacts: Vec<Contact<3>>,
@@ -113,7 +113,8 @@ impl Engine {
         self.linkage().map_or(&[], |linkage| &linkage.centres)
     }
 
-    /// A grasp with these contacts. The origin of the engine's coordinates is the centroid of those contacts whose index satisfies `is_meant`.
+    /// A grasp with these contacts. `is_meant(i)` is true if contact i touches the object. The centroid of these contacts is the origin of the
+    /// engine's coordinates.
     fn of(
         space: Space,
         size: Size,
@@ -131,7 +132,7 @@ impl Engine {
         let count = meant().count().max(1) as f64;
         let origin = meant().fold(SVector::zeros(), |sum, c| sum + c.point / count);
         let spread = meant().map(|c| (c.point - origin).norm_squared() / count).sum::<f64>().sqrt();
-        // A single point has no extent, so any unit of length can be used.
+        // The contacts lie in a single point, which has no extent, so any unit of length can be used.
         let length = if spread * LARGEST > 1.0 { spread } else { 1.0 };
         let mut sites = Vec::with_capacity(contacts.len());
         for (index, contact) in contacts.iter().enumerate() {

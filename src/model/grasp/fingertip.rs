@@ -132,8 +132,8 @@ impl SoftFingertip<3> {
     /// A disc of this radius (m), divided into `annuli` of equal width. Two rings of `points` points represent each annulus. Every other ring is
     /// rotated by half a spacing; the ring on the rim has a point along the first tangent.
     ///
-    /// The closed forms above hold for any number of annuli and points. More annuli resolve how slip spreads from the rim. More points improve
-    /// the friction of a tip that slides and spins at the same time.
+    /// The closed forms in the tables of [`SoftFingertip`] hold for any number of annuli and points. More annuli resolve how slip spreads from the
+    /// rim. More points improve the friction of a tip that slides and spins at the same time.
     ///
     /// # Errors
     /// [`Error::Fingertip`] unless the radius is from 1e-50 to 1e50, there is at least one annulus, each ring has at least 3 points, and there are at
@@ -211,7 +211,7 @@ impl SoftFingertip<2> {
     }
 
     /// A pad of this width (m). Each half is divided into `strips` of equal width, and two points represent each strip, one of them on its outer
-    /// edge. The closed forms above hold for any number of strips.
+    /// edge. The closed forms in the tables of [`SoftFingertip`] hold for any number of strips.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Pressure, SoftFingertip};
@@ -304,9 +304,9 @@ impl<const C: usize> SoftFingertip<C> {
         self.points.iter().map(|place| (place.offset, place.weight))
     }
 
-    /// Tilting stiffness about a tangent, N m/rad: `k_n ⟨r²⟩/2` in space, `k_n ⟨x²⟩` in the plane. Here k_n is the normal stiffness, and ⟨r²⟩ and
-    /// ⟨x²⟩ are the mean squares of the points' distances from the centre. For a rectangle it is the smaller of the [two tilting
-    /// stiffnesses](SoftFingertip::tilting_stiffnesses).
+    /// Tilting stiffness about a tangent, N m/rad: `k_n ⟨r²⟩/2` in space, `k_n ⟨x²⟩` in the plane. Here k_n is the normal stiffness. ⟨r²⟩ and ⟨x²⟩
+    /// are the mean squares of the points' distances from the centre, weighted by their fractions of the stiffness. For a rectangle it is the smaller
+    /// of the [two tilting stiffnesses](SoftFingertip::tilting_stiffnesses).
     #[must_use]
     pub fn tilting_stiffness(&self, contact: &Contact<C>) -> f64 {
         let least = (1..C).map(|axis| self.square(axis)).fold(f64::INFINITY, f64::min);
@@ -323,7 +323,7 @@ impl<const C: usize> SoftFingertip<C> {
         normal_force * (1..C).map(along).fold(f64::INFINITY, f64::min)
     }
 
-    /// Mean square `⟨x²⟩` of the coordinate along a tangent, m².
+    /// Mean square of the points' coordinates along a tangent, weighted by their fractions of the stiffness, m². `axis` is 1 or 2.
     pub(super) fn square(&self, axis: usize) -> f64 {
         self.mean(|at| at[axis] * at[axis])
     }

@@ -20,8 +20,8 @@ use crate::numerics::{Space, Vector, by_axis};
 use crate::prelude::*;
 
 impl<const C: usize> Contact<C> {
-    /// This contact in another frame. `pose` is the frame in which the contact is given, as seen from the target frame. This frame may be the frame
-    /// of a finger's last link or of the object. All contacts of a grasp must be in the same frame.
+    /// This contact in another frame. `pose` is the frame in which the contact is given, as seen from the target frame. A contact may be given in the
+    /// frame of a finger's last link, for example, or of the object. All contacts of a grasp must be in the same frame.
     ///
     /// Points become `r' = R r + p`; normal and tangents are rotated by R. A tangent that was not given is set to the default of the old frame
     /// and rotated, too. Commands, stiffnesses and forces in the contact frame therefore do not change.

@@ -24,8 +24,8 @@ impl<const C: usize> Wrench<C> {
             return (moment_size > 0.0).then_some((moment_size, "N m"));
         }
         let twisted = dot(force, moment).abs();
-        // A load is a single force along some line if its moment m is normal to its force f. It counts as normal if `|f·m|/(|f||m|)` is at most the
-        // following limit.
+        // A load is a single force along some line if its moment m is normal to its force f. It counts as normal if `|f·m|/(|f||m|)` is at most
+        // `SOLVED_ROUNDING`.
         (twisted <= SOLVED_ROUNDING * force_size * moment_size).then_some((force_size, "N"))
     }
 }
@@ -57,8 +57,8 @@ impl Words {
         }
     }
 
-    /// Words for a small motion of the object: "turns 1.9° about …, moves 2.8 mm". `moved` holds the displacements, m, of some points of the object.
-    /// If the object hardly turns, the sentence begins with the translation.
+    /// Words for a small motion of the object: "turns 1.9° about …, moves 2.8 mm". `moved` holds the displacements, m, of some points of the object,
+    /// from which the size of the rotation is judged. If the object hardly turns, the sentence begins with the translation.
     #[must_use]
     pub fn motion<const C: usize>(self, twist: &Twist<C>, moved: &[SVector<f64, C>]) -> String {
         let (words, twist) = (self.in_space(self.space::<C>()), twist.into_inside());
@@ -102,7 +102,7 @@ impl Words {
         if !turns_visibly {
             return format!("{}, turns {}", moves(&mean), self.axis_text(&omega));
         }
-        // Distance of the points from the axis, m, to which the rounding error of the axis's position is proportional.
+        // Estimated distance of the points from the axis, m. The rounding error of the position of the axis is proportional to this distance.
         let arm = if spread > 0.0 { spread / omega.size() } else { 1.0 };
         let through = omega.way_to_axis(&along).map(|x| if x.abs() <= NEGLIGIBLE * arm { 0.0 } else { x });
         let turning = format!("turns {}{}", self.axis_text(&omega), self.point(&through));
@@ -127,7 +127,8 @@ impl Words {
 
     /// Directions of the bodies that move: "wedge moving along −x, block moving along +y".
     fn directions_of(self, bodies: &[BodyMotion<3>]) -> String {
-        // If all contact points lie on axes of rotation, no contact point moves, and bodies are compared by their angles of rotation.
+        // If all contact points of every body lie on its axis of rotation, no contact point moves. Bodies are then compared by their angles of
+        // rotation.
         let still = largest(bodies, &BodyMotion::speed) == 0.0;
         let speed =
             |motion: &BodyMotion<3>| if still { motion.twist.parts().1.size() } else { motion.speed() };

@@ -36,8 +36,8 @@ impl Engine {
         self.per_length(self.space.moved_wrench(&-self.origin, &wrench.coordinates(self.space)))
     }
 
-    /// Rounding error of a wrench in the engine's coordinates: exact less rounded moments about the centroid of the contacts. Zero if several bodies
-    /// share the load, since it is not computed then.
+    /// Rounding error of a wrench in the engine's coordinates: exact less rounded moments about the centroid of the contacts. If several bodies share
+    /// the load, the error is not computed, and zero is returned.
     pub(crate) fn inside_rounding_error(&self, wrench: &Wrench<3>) -> Vector {
         let (w, inside) = (wrench.coordinates(self.space), self.inside_unchecked(wrench));
         let axes = self.space.axes();

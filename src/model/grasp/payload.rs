@@ -11,7 +11,7 @@ use crate::numerics::{Space, by_axis};
 /// Standard gravity, rounded, m/s².
 const GRAVITY: f64 = 9.81;
 
-/// A body with a mass, carried by an arm; [`Self::load`] is the load that it puts on the grasp.
+/// A body with a mass that is carried by an arm. [`Self::load`] is the load that the body exerts on the grasp which holds it.
 ///
 /// The body has the mass m, the centre of mass c and the moment of inertia I about c. The arm's point p has the acceleration a; the arm turns about p
 /// with the angular velocity ω and the angular acceleration α. With gravity g and the acceleration a_c of the centre of mass, the load is the weight

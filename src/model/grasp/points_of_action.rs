@@ -19,7 +19,7 @@ impl PointsOfAction {
     /// The sum V without forces. A pure moment has no point of action and adds nothing to V.
     pub(crate) const NO_FORCE: Self =
         Self(Some(SMatrix::from_array_storage(nalgebra::ArrayStorage([[0.0; 3]; 3]))));
-    /// The points of a force of which only the line is known.
+    /// Unknown points of action: only the resultant and the moment of the forces are known.
     pub(crate) const UNKNOWN: Self = Self(None);
 
     /// The sum V for one force, N, at one point, m; in the plane the third components are zero.

@@ -39,8 +39,9 @@ pub(super) struct Layer {
 impl Pressure {
     /// Quadrature nodes for `bands` bands of equal width (annuli of a disc, or strips on both sides of a line), two nodes per band.
     ///
-    /// Over the band [a, b] the density ρ^(c-2) p(ρ) (c = 2 for a line, 3 for a disc) has the moments `m_k = ∫ ρ^k density dρ`. One node lies on the
-    /// outer edge b, the other node at x. Their shares and x are chosen to reproduce m_0, m_1 and m_2 (Radau's rule with two points):
+    /// At the distance ρ from the centre the load has the density ρ^(c-2) p(ρ), with c = 2 for a line and 3 for a disc. Its moments over the band [a,
+    /// b] are `m_k = ∫ ρ^k density dρ`. One node lies on the outer edge b, the other node at x. Their shares of the load and x are chosen to
+    /// reproduce m_0, m_1 and m_2 (Radau's rule with two points):
     ///
     /// ```text
     /// x = (b m_1 - m_2) / (b m_0 - m_1),   share at x = (b m_0 - m_1) / (b - x),   at b = (m_1 - x m_0) / (b - x)

@@ -24,8 +24,8 @@ impl SoftFingertip<3> {
     /// | first opening under a moment (M_1, M_2) about the tangents, N m | 6 M_1/b + 6 M_2/a = N, with the absolute values of M_1 and M_2 |
     /// | torsion at which the corners begin to slide, N m | μ N √(a² + b²)/6 |
     ///
-    /// The torsional friction limit `μ N ⟨r⟩` of the points is lower than the limit of the uniform pad, by at most 2.2 % for one strip and 0.4 % for
-    /// two.
+    /// Friction carries at most the moment `μ N ⟨r⟩` about the normal, where ⟨r⟩ is the mean distance from the centre. For the points this limit is
+    /// lower than for the uniform pad, by at most 2.2 % for one strip and 0.4 % for two.
     ///
     /// ```
     /// use grasp_lcp::spatial::{Contact, SoftFingertip};
@@ -41,8 +41,8 @@ impl SoftFingertip<3> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Fingertip`] unless the sides are from 1e-50 to 1e50, there is at least one strip along each, and there are at most [`Self::MOST_POINTS`]
-    /// points.
+    /// [`Error::Fingertip`] unless the sides are from 1e-50 to 1e50, there is at least one strip along each, and there are at most
+    /// [`Self::MOST_POINTS`] points.
     pub fn rectangle(sides: [f64; 2], strips: [usize; 2]) -> Result<Self, Error> {
         let halves = [usable(sides[0], "first side")? * 0.5, usable(sides[1], "second side")? * 0.5];
         check(strips[0] >= 1, "number of strips along the first side", strips[0] as f64, "at least 1")?;
@@ -61,7 +61,8 @@ impl SoftFingertip<3> {
     }
 
     /// Tilting stiffnesses about the first and about the second tangent, N m/rad: `k_n ⟨y²⟩` and `k_n ⟨x²⟩`. Here k_n is the normal stiffness, and x
-    /// and y are the coordinates along the first and the second tangent. Both are equal for rings and discs.
+    /// and y are the coordinates of the points along the first and the second tangent. ⟨ ⟩ is the mean over all points, weighted by their fractions
+    /// of the stiffness. Both stiffnesses are equal for rings and discs.
     #[must_use]
     pub fn tilting_stiffnesses(&self, contact: &Contact<3>) -> [f64; 2] {
         [2, 1].each(|axis| contact.series_stiffness_of_axes()[0] * self.square(axis))

@@ -1,7 +1,7 @@
 //! Conversion of a twist, a motion to first order, to a finite rigid motion and back.
 //!
-//! The exponential map: the object moves along a screw of constant pitch whose velocity is the twist, for one unit of time. Let R(θ) be the rotation
-//! by the rotation vector θ. With the translation u of the origin, its component u∥ along θ and its component u⊥ across θ,
+//! The conversion is the exponential map: the object moves along a screw of constant pitch for one unit of time, and its velocity is the twist. Let
+//! R(θ) be the rotation by the rotation vector θ. With the translation u of the origin, its component u∥ along θ and its component u⊥ across θ,
 //!
 //! ```text
 //! rotation     R(θ)
@@ -85,7 +85,7 @@ impl Twist<3> {
         let translation = Vector3::from(self.translation());
         let along = along(&rotation, &translation);
         let chord = along + (translation - along) * (0.5 * rotation.norm()).sinc();
-        // The half rotation: the rotation by half the angle about the same axis.
+        // The rotation by half the angle about the same axis. Its quaternion contains half of its own angle, i.e. a quarter of the whole.
         let quarter = 0.5 * rotation / 2.0;
         let angle = quarter.norm();
         let half = if quarter.norm_squared() <= f64::EPSILON * f64::EPSILON {

@@ -33,7 +33,7 @@ impl Space {
         alone
     }
 
-    /// Wrench (force, moment about the origin of `arm`) of the force `f` at the end of `arm`.
+    /// Wrench of the force `f` that acts at the end of `arm`: the force, then its moment about the start of `arm`.
     pub(crate) fn wrench_of<const C: usize>(self, arm: &SVector<f64, C>, f: &SVector<f64, C>) -> Vector {
         let (axes, mut w) = (self.axes(), Vector::zeros());
         for a in 0..axes {
@@ -100,8 +100,8 @@ impl Space {
         map
     }
 
-    /// The grasp map about `origin` with arms in units of `length`, rounded; and its rounding error, the exact map for `point` and `frame` minus the
-    /// rounded map.
+    /// The rounded grasp map, and its rounding error: the exact map for `point` and `frame` minus the rounded map. Moments are about `origin`, with
+    /// arms in units of `length`.
     pub(super) fn grasp_map_in_twice(
         self,
         size: Size,

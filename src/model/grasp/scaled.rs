@@ -1,5 +1,5 @@
 //! Parts of a grasp whose forces can be scaled (bodies by their loads; contacts, joints and tendons by their commands), and copies of the grasp with
-//! one such force scaled.
+//! one such force scaled. A command is a prescribed displacement of a finger, joint or tendon.
 
 use super::engine::Engine;
 use super::hand::Linkage;
@@ -66,8 +66,8 @@ impl Engine {
         self.with_data(contacts, &|_| [1.0; 2])
     }
 
-    /// Whether all forces except the caller's loads scale with the squeeze, i.e. with all commands, constant forces and vacuums. If so, twice the
-    /// squeeze carries twice the load.
+    /// Whether twice the squeeze (all commands, constant forces and vacuums) carries twice the load. This is so without constant loads of bodies,
+    /// external torques, clearances and joint limits. `false` for any grasp with tendons.
     pub(crate) fn is_proportional(&self) -> bool {
         let stays = self.linkage().is_some_and(|linkage| {
             let loads = linkage.bodies.as_ref().map_or(&[][..], |bodies| &bodies.loads);
@@ -86,9 +86,9 @@ impl Engine {
         mapped(&loaded, &|body| bodies.names[*body].to_string())
     }
 
-    /// Looks up the part with this name, and returns a copy of the grasp in which its load or command is multiplied by `factor`. For a body the
-    /// factor multiplies its load without its weight; for a contact or a link its command, force and vacuum; for a joint or a tendon its command and
-    /// its constant torque or tension.
+    /// Looks up the part with this name, and returns it with a copy of the grasp in which its load or command is multiplied by `factor`. For a body
+    /// the factor multiplies its load, but not its weight. For a contact or a link it multiplies command, force and vacuum. For a joint or a tendon
+    /// it multiplies command and constant torque or tension.
     ///
     /// # Errors
     /// [`Error::Part`] if no part has this name, or its load or command is zero; [`Error::Argument`] if the factor is out of range.

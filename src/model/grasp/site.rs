@@ -38,7 +38,7 @@ pub(crate) struct Site {
 }
 
 impl Site {
-    /// The site of a contact, with arms from the centroid `origin` in units of `length`.
+    /// The site of a contact. The lever arms in its grasp map are measured from the centroid `origin`, in units of `length`.
     ///
     /// # Errors
     /// [`Error::Contact`] if the contact has no frame.
@@ -104,8 +104,8 @@ impl Site {
     }
 
     /// Adds to the grasp map how the contact moves with joints and other bodies. Each entry of `motions` has the index of a coordinate, counted after
-    /// the object's, and the displacement of the contact per unit of it. Displacements are along the coordinate axes, and are divided by the
-    /// reference `lengths`. The contact force acts on the object with the factor `on_object`: 1, -1, or 0 if it acts on other bodies only.
+    /// the object's, and the displacement of the contact along x, y and z per unit of this coordinate. The displacements are divided by the reference
+    /// `lengths`. The contact force acts on the object with the factor `on_object`: 1, -1, or 0 if it acts on other bodies only.
     pub(super) fn move_with(
         &mut self,
         space: Space,
@@ -156,7 +156,8 @@ impl Site {
         self.map.size()
     }
 
-    /// The contact law in an equilibrium: the whole friction cone, or a bond. Rates of force and stretch may obey another [`Law`].
+    /// The contact law in an equilibrium: the whole friction cone, or no limit for a bonded contact. The rates of force and stretch as the load grows
+    /// may obey another [`Law`].
     pub(crate) fn whole_law(&self) -> Law {
         match self.hold {
             Hold::Unilateral => Law::Cone { gap: true },

@@ -29,7 +29,7 @@ use crate::prelude::*;
 /// | [`follow`](crate::ask::Grasp::follow), maps of held loads | the path ends ([`LossKind::LetsGo`](crate::load_path::LossKind::LetsGo)) |
 /// | [`onset`](crate::ask::Grasp::onset), also of a turn | [`beyond`](crate::ask::Grasp::beyond) returns [`Beyond::WithoutVacuum`](crate::load_path::Beyond::WithoutVacuum) |
 /// | [`solve`](crate::ask::Grasp::solve) and every equilibrium | [`open_cups`](crate::equilibrium::Equilibrium::open_cups) lists the cup: the equilibrium fails |
-/// | [`least_squeeze`](crate::ask::Grasp::least_squeeze), the weakest direction, the reserve | does not arise: every lip touches and sticks in these answers |
+/// | [`least_squeeze`](crate::ask::Grasp::least_squeeze), the [weakest direction](crate::ask::Grasp::weakest_direction), the [reserve](crate::ask::Grasp::reserve) | does not arise: every lip touches and sticks in these answers |
 /// | [`statics`](crate::ask::Statics) | limits include the vacuum forces; closure by cups alone is an error |
 /// | [`follow_in_steps`](crate::ask::Grasp::follow_in_steps) | not detected: the vacuum stays on; check the contact states |
 ///

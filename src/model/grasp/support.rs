@@ -14,7 +14,8 @@ pub(crate) struct Support {
 }
 
 impl Support {
-    /// Common support of a grasp map and of the rounding error of this map. Map and error then store only the rows in the ranges of the support.
+    /// The ranges of coordinates that contain all nonzero entries of the grasp map `map` and of its rounding error `rest`. Rows outside these ranges
+    /// are removed from the memory of both.
     pub(super) fn of(space: Space, map: &mut Map, rest: &mut Map) -> Self {
         let count = map.size().count();
         let object = space.of_the_object().min(count);
@@ -39,7 +40,8 @@ impl Support {
         Self { ranges }
     }
 
-    /// Both ranges of coordinates in which the grasp map has nonzero entries. If the grasp has no joints, the first range contains all coordinates.
+    /// Both ranges of coordinates in which the grasp map has nonzero entries. If the grasp has only the object's coordinates, the first range
+    /// contains all of them and the second is empty.
     #[inline]
     pub(crate) fn ranges(&self) -> [Range<usize>; 2] {
         self.ranges.clone()

@@ -1,7 +1,8 @@
 //! Tolerances of a grasp, and of the words for its motions.
 
-/// In the Cholesky factorisation of a stiffness or compliance matrix, a negative remainder of a diagonal entry counts as rounding up to this fraction
-/// of the original entry. So do remainders of offdiagonal entries in the block that should vanish.
+/// Cholesky factorisation of a stiffness or compliance matrix reduces its entries to remainders. A negative remainder of a diagonal entry counts as a
+/// rounding error if its magnitude is at most this fraction of the original entry. So do remainders of offdiagonal entries in a block that must
+/// vanish.
 ///
 /// If smaller, rounding makes a semidefinite matrix indefinite; if larger, an indefinite matrix is accepted.
 pub(super) const NEGATIVE_REMAINDER: f64 = 1e-10;
@@ -13,8 +14,8 @@ pub(super) const NEGATIVE_REMAINDER: f64 = 1e-10;
 /// If smaller, sentences describe motions that are hardly visible; if larger, they omit bodies that move.
 pub(super) const SEEN_MOTION: f64 = 0.05;
 
-/// Magnitude up to which a component counts as rounding. For a load this number is relative to the largest component. For a point on an axis of
-/// rotation it is in m, if no points of the object are known.
+/// A component of a load counts as a rounding error if it is at most this fraction of the largest component. So does a coordinate of a point on an
+/// axis of rotation, if no points of the object are known; the number is then in m.
 ///
 /// If smaller, sentences show rounding errors; if larger, they omit small components.
 pub(super) const LITTLE_ROUNDING: f64 = 1e-13;

@@ -11,10 +11,10 @@ use crate::numerics::{Space, Vector};
 use crate::prelude::*;
 use crate::words::listed;
 
-/// The pressure of the surrounding air at sea level, Pa: no vacuum pulls with more.
+/// The pressure of the surrounding air at sea level, Pa: the largest possible pull of a vacuum per area.
 pub(crate) const ATMOSPHERE: f64 = 101_325.0;
 
-/// Sentence for suction cups that have opened: "cup opens all around, and its vacuum is gone".
+/// The sentence of a message about suction cups that have opened: "cup opens all around, and its vacuum is gone".
 pub(crate) fn vacuum_is_gone(cups: &[WholeContact]) -> String {
     let [opens, its] = if cups.len() == 1 { ["opens", "its"] } else { ["open", "their"] };
     format!("{} {opens} all around, and {its} vacuum is gone", listed(cups))
@@ -68,7 +68,7 @@ impl Engine {
         cups
     }
 
-    /// The first suction cup whose lip is open at some of its points but not at all, with the number of open points.
+    /// The first suction cup with a leak: some points of its lip are open, others are closed. The result includes the number of open points.
     pub(crate) fn leaking_cup(&self, is_open: &dyn Fn(usize) -> bool) -> Option<WholeContact> {
         self.vacuum()?;
         let open = self.wholes().with(&|i| self.contacts()[i].suction > 0.0 && is_open(i));

@@ -73,7 +73,8 @@ impl ContactPoints {
         self.range.clone().fold(SVector::zeros(), |sum, i| sum + of(i)) / self.range.len() as f64
     }
 
-    /// An entry for this contact in a list of an answer, such as the contacts that slide, which concerns `points` of the contact's points.
+    /// The entry of this contact in a list of an answer, such as the contacts that slide. `points` is the number of its points to which the list
+    /// applies.
     pub(crate) fn with(&self, points: usize) -> WholeContact {
         let ContactLabel { index: contact, link, .. } = self.label;
         WholeContact { contact, label: self.text(), link, points, of: self.range.len() }

@@ -13,9 +13,9 @@ use crate::numerics::{mapped, summed};
 
 /// A pad with a position and a closing direction.
 ///
-/// The contact's point is the centre of the pad before it closes, in front of the part, m; its normal is the closing direction. The contact also
-/// gives name, friction, stiffness and pressing force or command. The stiffness of the pad's [layer](Pad::of_layer), if it has one, replaces the
-/// finger stiffness.
+/// All data except the shape of the pad are given by a contact, see [`Self::new`]. The contact's point is the centre of the pad before the pad
+/// closes, in front of the part, m; its normal is the closing direction. The contact also gives name, friction, stiffness and pressing force or
+/// command. The stiffness of the pad's [layer](Pad::of_layer), if it has one, replaces the finger stiffness.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Touch {
     pad: Pad,

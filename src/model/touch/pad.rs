@@ -9,8 +9,8 @@ use super::part::Part;
 use crate::error::{Error, LARGEST};
 use crate::grasp::{Contact, Pressure, SoftFingertip};
 
-/// A point of a surface becomes a point of the pad only if its outward unit normal has at least this component along the closing direction. Below it
-/// the surface is nearly parallel to the closing direction and does not press.
+/// A point of a surface becomes a point of the pad only if its outward unit normal has at least this component along the closing direction. With a
+/// smaller component the surface is nearly parallel to the closing direction and does not press.
 const TURNED_AWAY: f64 = 0.1;
 
 /// The surface of a jaw or of a fingertip, and its elastic layer.
@@ -181,8 +181,8 @@ impl Pad {
         (self.outline != Outline::Sampled).then(Vector3::zeros)
     }
 
-    /// The points of a flat patch, moved along the closing direction by the height of the profile. The fraction of the stiffness of each point is
-    /// proportional to its area on the inclined surface.
+    /// A pad whose points are those of a flat patch, moved along the closing direction by the height of the profile. The share of a point is
+    /// proportional to the area that it represents on the inclined surface.
     fn of_profile(patch: &SoftFingertip<3>, outline: Outline, profile: Profile) -> Self {
         let mut points = Vec::new();
         let mut stretch = 0.0;

@@ -16,7 +16,7 @@ pub(super) const FLUSH: f64 = 1e-9;
 /// The point where a ray from the pad first meets the part.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct RayHit {
-    /// Distance along the ray, m, from the plane through the pad's centre that is normal to the closing direction.
+    /// Distance along the ray, m, from the plane normal to the closing direction that contains the pad's centre.
     pub(super) depth: f64,
     /// Unit normal of the triangle that the ray meets, pointing into the part.
     pub(super) normal: Vector3<f64>,
@@ -28,8 +28,8 @@ pub(super) struct RayHit {
 pub(super) struct PadHits {
     /// The hit of the ray from each point of the pad; `None` for a ray that misses the part.
     pub(super) hits: Vec<Option<RayHit>>,
-    /// Least travel of the pad along the closing direction, m, at which it touches the part. Sample points and centre of the pad, and vertices of the
-    /// mesh, are considered.
+    /// Least travel of the pad along the closing direction, m, at which it touches the part. Touch is detected at the sample points and the centre of
+    /// the pad, and at the vertices of the mesh.
     pub(super) foremost: f64,
 }
 
@@ -61,7 +61,8 @@ impl Part {
                 continue;
             }
             let orientation = normal[0].signum();
-            // Whether a ray passes on the inner side of an edge, or outside it by less than `near`, seen along the rays.
+            // Seen along the rays, the edge from p to q has the triangle on one side. Whether the ray passes on this side, or beyond the edge by less
+            // than `near`.
             let inside = |p: &Vector3<f64>, q: &Vector3<f64>, ray: &Vector3<f64>| {
                 let (along, to) = ((q[1] - p[1], q[2] - p[2]), (ray[1] - p[1], ray[2] - p[2]));
                 orientation * (along.0 * to.1 - along.1 * to.0) >= -near * along.0.hypot(along.1)

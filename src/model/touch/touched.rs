@@ -40,8 +40,8 @@ impl Touched {
         self.steepest
     }
 
-    /// Whether the surfaces of pad and part meet at more than the friction angle `atan μ`, at least 1e-3 rad. The pad then presses on an edge or on
-    /// an inclined face from which it slips.
+    /// Whether the angle between the surfaces of pad and part exceeds the friction angle `atan μ`, or 1e-3 rad if that is larger. The pad then
+    /// presses on an edge or on an inclined face from which it slips.
     #[must_use]
     pub fn is_over_an_edge(&self) -> bool {
         let friction = self.contacts.first().map_or(0.0, Contact::friction_coefficient);
@@ -53,8 +53,9 @@ impl Touched {
 /// Advance s of the pad, m, at which the forces of its points along the closing direction sum to `force`, N, if the part does not move. s is measured
 /// from the position in which the points have the gaps `gaps`, m.
 ///
-/// A point with the gap g and the angle θ presses with `k_n cos θ (s - g)` once it touches. Along the tangent it pulls with the smaller of
-/// `k_t sin θ (s - g)` and μ times its normal force. Both are proportional to s - g, so the sum is piecewise linear in s.
+/// Consider a point with the gap g, the stiffnesses k_n and k_t, and the coefficient of friction μ. Its normal makes the angle θ with the closing
+/// direction. Once it touches, the point presses with `k_n cos θ (s - g)`. Along the tangent it pulls with the smaller of `k_t sin θ (s - g)` and μ
+/// times its normal force. Both are proportional to s - g, so the sum is piecewise linear in s.
 pub(super) fn advance_under(
     force: f64,
     points: &[Contact<3>],

@@ -86,7 +86,7 @@ impl MapEntries {
         }
     }
 
-    /// The entries of a column in a range of stored rows.
+    /// The entries of column `a` in the rows with indices in `range`, all of which must be stored.
     #[inline]
     pub(super) fn column(&self, a: usize, range: Range<usize>) -> &[f64] {
         match self {
@@ -98,7 +98,7 @@ impl MapEntries {
         }
     }
 
-    /// Stores exactly the rows of these ranges; rows that were not stored before get zeros.
+    /// Stores exactly the rows with indices in these ranges, if not all rows are stored. Rows that were not stored before get zeros.
     pub(super) fn keep_rows(&mut self, ranges: &[Range<usize>; 2]) {
         if let Self::Few(_) = self {
             let rows: Vec<usize> = ranges.iter().cloned().flatten().list();
@@ -185,7 +185,7 @@ impl MapEntries {
         }
     }
 
-    /// The product `G f` of this matrix G and a contact force f, if all rows are stored; otherwise zero.
+    /// The product `G f` of this matrix G and a contact force f. Only called if all rows are stored; otherwise the result is zero.
     #[inline]
     fn mapped(&self, f: &SVector<f64, 3>) -> [f64; WHOLE] {
         let mut sum = [0.0; WHOLE];
@@ -250,7 +250,7 @@ mod tests {
     use crate::numerics::generic;
     use nalgebra::SVector;
 
-    /// Reference: the dot product in four interleaved sums, and the remainder.
+    /// Reference for the order of summation: the dot product as four interleaved sums. Terms after the last multiple of four are added at the end.
     fn dense(a: &[f64], b: &[f64]) -> f64 {
         let (mut sums, whole) = ([0.0; 4], a.len() / 4 * 4);
         (0..whole).for_each(|k| sums[k % 4] += a[k] * b[k]);

@@ -17,7 +17,7 @@ pub(crate) struct Square {
     size: Size,
 }
 
-/// Entries of a square matrix, column by column: of up to six columns in place, with zeros behind the last entry.
+/// Entries of a square matrix, column by column. The entries of up to six columns are stored in place, with zeros after the last entry.
 #[derive(Debug, Clone, PartialEq)]
 enum Entries {
     Few([f64; WHOLE * WHOLE]),

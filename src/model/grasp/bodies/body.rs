@@ -35,8 +35,8 @@ impl<const C: usize> Body<C> {
     }
 
     setters! {
-        /// Sets the mass, kg, and the centre of mass, m. [Gravity](super::Bodies::gravity) acts at the centre of mass, and so does the body's share of a
-        /// load that is [shared by mass](super::Bodies::shared_by_mass).
+        /// Sets the mass, kg, and the centre of mass, m. [Gravity](super::Bodies::gravity) acts at the centre of mass, and so does the body's share
+        /// of a load that is [shared by mass](super::Bodies::shared_by_mass).
         pub fn mass(mut self, mass: f64, centre: impl Into<[f64; C]>) {
             (self.mass, self.centre) = (mass, SVector::from(centre.into()));
         }
@@ -88,8 +88,8 @@ impl BodyMotion<3> {
         self.twist.parts().1.size() * self.reach
     }
 
-    /// Estimate of the displacement of the body's fastest contact point, m: the larger of the displacement of the centroid and the displacement due
-    /// to rotation.
+    /// Estimate of the largest displacement of a contact point of the body, m: the larger of the displacement of the centroid and the displacement
+    /// due to rotation.
     pub(crate) fn speed(&self) -> f64 {
         self.middle_moves().norm().max(self.turning_moves())
     }

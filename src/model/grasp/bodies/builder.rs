@@ -1,4 +1,4 @@
-//! Builder of a grasp with several bodies, their contacts, links and hand.
+//! Builder of a grasp with several bodies, their contacts, links and hand. A question is a method of a grasp that takes a load, such as `hold`.
 
 use alloc::sync::Arc;
 
@@ -49,7 +49,7 @@ pub struct Bodies<const C: usize> {
     loaded: LoadedBodies,
 }
 
-/// The bodies on which the load acts that the caller passes to a question such as `hold`.
+/// The bodies on which a load acts if the caller passes it to a question such as `hold`.
 #[derive(Debug, Clone, PartialEq)]
 enum LoadedBodies {
     First,
@@ -75,7 +75,8 @@ impl<const C: usize> Bodies<C> {
             self.hand = contacts.into_iter().map(Finger::fixed).fold(self.hand, Hand::finger);
         }
 
-        /// Adds hinges, slides, springs or cables between the bodies or to the ground. The contacts that model these links come after all other contacts.
+        /// Adds hinges, slides, springs or cables between the bodies or to the ground. The contacts that model these links come after all other
+        /// contacts.
         pub fn links(mut self, links: impl IntoIterator<Item = Link<C>>) { self.links.extend(links); }
 
         /// Sets the hand that holds the bodies. The hand replaces all contacts given before.
@@ -94,7 +95,7 @@ impl<const C: usize> Bodies<C> {
 
         /// Shares the loads that are passed to questions, such as [`hold`](crate::ask::Grasp::hold), among all bodies in proportion to their masses.
         /// Each part of the force acts at the centre of mass of its body. The moment that these forces leave unbalanced is shared in the same
-        /// proportion. A load parallel to gravity thus scales all weights, and a turning load turns all weights.
+        /// proportion. A load parallel to gravity thus scales all weights, and a load that turns (changes its direction) turns all weights.
         pub fn shared_by_mass(mut self) { self.loaded = LoadedBodies::ByMass; }
     }
 

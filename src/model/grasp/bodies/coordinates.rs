@@ -1,4 +1,7 @@
 //! Conversion of loads and motions of several bodies between the engine's coordinates and the user's coordinates.
+//!
+//! In the user's coordinates moments and rotations refer to the origin of the scene. In the engine's coordinates those of a body refer to the
+//! centroid of its contact points, and every angle is multiplied by a reference length. A load program is a sequence of ramps and turns of the loads.
 
 use alloc::sync::Arc;
 
@@ -51,8 +54,8 @@ impl Engine {
         inside
     }
 
-    /// Moments of a contact's `force` (N) with the lever arm `point` (m) on each body, in the engine's coordinates; the components of forces are
-    /// zero. If `point` is the rounding error of a contact point, the result is the resulting error of the moments.
+    /// The moments that a contact's `force` (N) with the lever arm `point` (m) exerts on each body, in the engine's coordinates; the components of
+    /// forces are zero. If `point` is the rounding error of a contact point, the result is the error that it causes in the moments.
     pub(crate) fn moments_of(
         &self,
         contact: usize,
@@ -114,14 +117,14 @@ impl Engine {
         self.bodies().map_or_else(|| Err(no_body(name)), |bodies| bodies.called(name))
     }
 
-    /// A copy of this grasp in which each body carries its entry of `loads`, applied by a load program, in addition to its constant load. A single
-    /// object stays unchanged.
+    /// A copy of this grasp at a point of a load program, which has applied `loads` to the bodies. Each body carries its entry in addition to its
+    /// constant load. The grasp of a single object stays unchanged.
     pub(crate) fn under_body_loads(&self, loads: Vec<Wrench<3>>) -> Self {
         self.bodies().map_or_else(|| self.clone(), |bodies| self.with_bodies(bodies.under(loads)))
     }
 
-    /// A copy of this grasp in which the bodies named in `loads` carry these loads of a load program, and no other body does. Further questions
-    /// about an answer of that load program, which lists these loads, are asked of this copy.
+    /// A copy of this grasp at a point of a load program, which has applied the loads `loads` to the bodies named there, and none to other bodies. An
+    /// answer of a load program lists these loads. Questions about that answer are then asked of this copy.
     pub(crate) fn with_body_loads(&self, loads: &[BodyLoad<3>]) -> Result<Self, Error> {
         let mut all = vec![Wrench::ZERO; self.bodies().map_or(0, |bodies| bodies.names.len())];
         for BodyLoad { body, load } in loads {
@@ -146,7 +149,7 @@ impl Engine {
             let twist = if body == bodies.object {
                 Twist::among(self.space, outside)
             } else {
-                // Components beyond the end of the vector are zero, so the vector may be shorter.
+                // Components beyond the end of `outside` are zero, so it may have fewer components than the grasp has coordinates.
                 let count = Size::of(self.space.of_the_object());
                 let own = Vector::from_fn(count, |k| outside[place.first + k]);
                 Twist::among(self.space, &self.space.moved_twist(&place.centre, &own))
@@ -186,8 +189,8 @@ impl Engine {
         lengths
     }
 
-    /// A copy of the coordinates in which the coordinates of all bodies except one are zero. The exception is the body into which the normal of
-    /// `contact` points, or the single object. If `contact` is the index of a drive, the spring of a joint or tendon, all coordinates are kept.
+    /// A copy of `coordinates` in which all are zero except those of one body: the body into which the normal of `contact` points, or the single
+    /// object. If `contact` is the index of a drive, the spring of a joint or tendon, all coordinates are kept.
     pub(crate) fn body_alone(&self, contact: usize, coordinates: &Vector) -> Vector {
         let Some(bodies) = self.bodies() else { return self.space.object_alone(coordinates) };
         let Some((on, _)) = bodies.sides.get(contact) else { return coordinates.clone() };

@@ -1,4 +1,7 @@
 //! The coordinates that belong to each body, the two bodies that each contact joins, and the loads on bodies.
+//!
+//! One body, on which the loads act that the caller passes to a question such as `hold`, has the coordinates of the object. The coordinates of the
+//! other bodies follow those of the joints. A load program is a sequence of ramps and turns of the loads, along which a load path is followed.
 
 use alloc::sync::Arc;
 
@@ -50,7 +53,7 @@ pub(crate) struct PlacedBodies {
     pub(crate) loads: Vec<Wrench<3>>,
     /// The part of `loads` that the user gave as loads of bodies; weights are not included.
     pub(crate) user_loads: Vec<Wrench<3>>,
-    /// The part of `loads` that a load program has applied; usually empty.
+    /// The part of `loads` that a load program has applied so far, one load for each body; empty if no load program is followed.
     pub(super) program_loads: Vec<Wrench<3>>,
     pub(super) sharing: LoadSharing,
     pub(crate) places: Vec<BodyPlace>,
@@ -79,7 +82,8 @@ impl PlacedBodies {
         }
     }
 
-    /// Assigns coordinates to every body, starting at `first`, and returns the next free index.
+    /// Assigns coordinates to every body. The object has the first coordinates; all other bodies get indices from `first` on. Returns the next free
+    /// index.
     ///
     /// # Errors
     /// [`Error::Body`] if a contact names an unknown body, names no body although there are several, or has the same body on both sides.
@@ -142,9 +146,9 @@ impl PlacedBodies {
         }
     }
 
-    /// For each coordinate of the two bodies of a contact, without the object: its index, counted after the object's coordinates, and the relative
-    /// displacement at the contact per unit of it. The relative displacement is that of the body on the other side of the contact, less that of the
-    /// body into which the normal points.
+    /// Relative displacement at a contact per unit of each coordinate of its two bodies. Coordinates of the object are left out; the index of a
+    /// coordinate is counted after them. The relative displacement is that of the body on the other side of the contact, less that of the body into
+    /// which the normal points.
     pub(crate) fn columns(&self, contact: usize, point: &SVector<f64, 3>) -> Columns {
         let object = self.space.of_the_object();
         let mut columns = Columns::new();
@@ -182,7 +186,7 @@ impl PlacedBodies {
         let at_centres: Vec<_> =
             mapped(list, &|(part, centre)| Wrench::force_through(centre, &(force * *part)));
         let left = at_centres.iter().fold(*load, |left, wrench| left - *wrench);
-        // The rest of the load is a pure moment: all forces act at the centres of mass.
+        // What remains of the load is a pure moment, which has no points of action.
         let left = left.acting_at(PointsOfAction::NO_FORCE);
         at_centres.iter().zip(list).map(|(wrench, (part, _))| *wrench + left * *part).list()
     }
@@ -253,7 +257,7 @@ impl PlacedBodies {
     }
 }
 
-/// Returns an error for contacts that name a body if there are no bodies.
+/// Returns an error if a contact names a body. Called for grasps without named bodies.
 pub(crate) fn refuse_sides(contacts: &[Contact<3>]) -> Result<(), Error> {
     for (i, contact) in contacts.iter().enumerate() {
         if let Some(name) = contact.on.as_ref().or(contact.against.as_ref()) {

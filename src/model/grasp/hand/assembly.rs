@@ -76,8 +76,8 @@ impl Hand<3> {
 }
 
 impl Assembly {
-    /// Chooses a reference length for each coordinate after the object's. It is the power of two nearest to the largest displacement of a contact per
-    /// unit of the coordinate. Scaling by a power of two causes no rounding. A joint that moves no contact is an error.
+    /// Chooses a reference length for each coordinate after the object's: the power of two nearest to the largest displacement of a contact per unit
+    /// of the coordinate. Scaling by a power of two causes no rounding. A joint that moves no contact is an error.
     fn measure(&mut self) -> Result<(), Error> {
         for k in 0..self.used {
             let mut longest = 0.0_f64;
@@ -95,8 +95,8 @@ impl Assembly {
             let object = self.object();
             self.lengths[object + k] = power_of_two(longest);
         }
-        // At this stage the only drives are the springs of compliance matrices, of 1 N/m along coordinates in m. These springs are rescaled to the
-        // reference lengths of their coordinates.
+        // At this stage the only drives are the springs of compliance matrices. Each has 1 N/m along its own coordinate, in m. The stiffness is
+        // converted to the reference length of this coordinate.
         for drive in &mut self.drives {
             let k = drive.along.iamax();
             let length = self.lengths[k];
@@ -216,8 +216,8 @@ impl Assembly {
         })
     }
 
-    /// The spring of a tendon, or of a joint stiffness matrix, with these moment arms at the joints, in the engine's coordinates. There its arms are
-    /// divided by the power of two closest to the largest arm, which is the second returned value.
+    /// The spring of a tendon, or of a joint stiffness matrix, with these moment arms at the joints. Its arms are converted to the engine's
+    /// coordinates and divided by the power of two closest to the largest of them. This power of two is also returned.
     fn over(&self, arms: &[(usize, f64)], stiffness: f64) -> (Spring, f64) {
         let mut along = Vector::zeros();
         for &(j, arm) in arms {

@@ -11,8 +11,8 @@ use crate::numerics::{Space, Vector};
 use crate::prelude::*;
 use crate::words::printable;
 
-/// Motion of one contact with joints and other bodies, as a list of pairs. A pair has the index of a coordinate, counted after the object's
-/// coordinates, and the displacement of the contact per unit of it, along the coordinate axes.
+/// Motion of one contact with joints and other bodies, as a list of pairs. The first entry of a pair is the index of a coordinate, counted after the
+/// object's coordinates. The second is the displacement of the contact per unit of this coordinate, along the axes x, y and z.
 pub(in crate::model::grasp) type Columns = Vec<(usize, SVector<f64, 3>)>;
 
 pub(in crate::model::grasp) struct Assembly {

@@ -133,7 +133,7 @@ impl Drive {
         self.rest /= times;
     }
 
-    /// Ratio of this spring's stiffness to the stiffness of its joint or tendon, both along the drive, N/m. It is 2 for each of the two springs in
+    /// Stiffness of this spring divided by the stiffness of its joint or tendon, both in N/m along the drive. It is 2 for each of the two springs in
     /// series that model a drive which yields at a constant force, else 1.
     fn halves(&self) -> f64 {
         if matches!(self.role, DriveLaw::UpperHalf | DriveLaw::LowerHalf) { 2.0 } else { 1.0 }
@@ -143,8 +143,8 @@ impl Drive {
     /// the drive's contact frame.
     pub(crate) fn by_stiffness(&self, force: &SVector<f64, 3>) -> SVector<f64, 3> {
         let mut more = SVector::zeros();
-        // In an unloaded drive, the spring of the upper half carries the upper bound. The spring of the lower half carries the magnitude of the lower
-        // bound. The elastic force is `force` minus this preload.
+        // If the drive has no force, the spring of its upper half carries the upper bound, and the spring of its lower half the magnitude of the
+        // lower bound. The elastic force is `force` minus this preload.
         let elastic = match self.role {
             DriveLaw::UpperHalf => force[0] - self.bound,
             DriveLaw::LowerHalf => force[0] - self.rest * self.stiffness,
@@ -154,8 +154,8 @@ impl Drive {
         more
     }
 
-    /// Derivatives with respect to the torque limit of the joint or the tension limit of the tendon. The first is of the drive's stretch, in its
-    /// contact frame, the second of the constant generalised forces on the coordinates.
+    /// Derivatives with respect to the torque limit of the joint or the tension limit of the tendon. The first is the derivative of the drive's
+    /// stretch, in its contact frame. The second is the derivative of the constant generalised forces on the coordinates.
     pub(crate) fn by_limit(&self) -> (SVector<f64, 3>, Vector) {
         let (mut stretch, per_force) = (SVector::zeros(), 1.0 / self.unit);
         let held = match self.role {

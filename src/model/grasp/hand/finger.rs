@@ -12,7 +12,7 @@ use crate::prelude::*;
 pub(super) enum ContactMover {
     /// The contact is on the link behind this number of joints, and only these joints of the finger move it.
     Link(usize),
-    /// This Jacobian, along the coordinate axes, gives the motion of the contact.
+    /// This Jacobian gives the displacement of the contact along the axes x, y and z per unit displacement of each joint of the finger.
     World(DMatrix<f64>),
 }
 
@@ -46,7 +46,7 @@ pub(super) struct FingerContact<const C: usize> {
 #[must_use]
 pub struct Finger<const C: usize> {
     pub(super) joints: Vec<Joint<C>>,
-    /// Stiffness matrix of the joints, N m/rad, in addition to their own springs.
+    /// Stiffness matrix that couples the joints, N m/rad, in addition to their own springs; `None` without coupling.
     pub(crate) coupling: Option<DMatrix<f64>>,
     /// Compliance matrix of the finger, m/N: displacements along the axes of all contact frames per unit force along these axes. It acts in series
     /// with joints and pads.

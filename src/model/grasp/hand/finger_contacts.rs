@@ -59,8 +59,8 @@ impl Assembly {
         Ok(())
     }
 
-    /// Motion of a contact on a link per unit motion of each joint between palm and link, from the joints' axes and directions. `link` is the number
-    /// of these joints.
+    /// Displacements of a contact on a link per unit displacement of each joint between palm and link, from the joints' axes and directions. `link`
+    /// is the number of these joints.
     fn on_link(
         &mut self,
         link: usize,
@@ -91,9 +91,9 @@ impl Assembly {
         Ok(columns)
     }
 
-    /// Of the compliance matrix D + V Vᵀ of a finger, the springs of the contacts have only the diagonal part D. Under the pressing forces of
-    /// `Contact::pressed_with` the part V Vᵀ displaces the contacts, too. Adds these displacements to the commands, so that the contacts press with
-    /// the given forces. `own` has the columns of V.
+    /// The springs of a finger's contacts have only the diagonal part D of the finger's compliance matrix D + V Vᵀ. The part V Vᵀ also displaces the
+    /// contacts under the pressing forces of `Contact::pressed_with`. Adds these displacements to the commands, so that the contacts press with the
+    /// given forces. `own` has the columns of V.
     fn press_on_compliance(&mut self, finger: &Finger<3>, own: &[DVector<f64>]) {
         let (axes, first) = (self.space.axes(), self.contacts.len() - finger.contacts.len());
         for column in own {

@@ -49,9 +49,9 @@ impl<const C: usize> Hand<C> {
         pub fn tendon(mut self, tendon: Tendon) { self.tendons.push(tendon); }
     }
 
-    /// Largest number of coordinates of a grasp by this hand. The object has 3 or 6, each joint one, and each joint or tendon with a
-    /// [`Limit::Saturates`] one more. A finger with a compliance matrix adds one per contact axis. The slide of a contact with a constant force
-    /// counts as a joint.
+    /// Upper limit of the number of coordinates of a grasp by this hand. The object has 3 or 6 coordinates, and each joint has one. Each joint or
+    /// tendon with a [`Limit::Saturates`] has one more. A finger with a compliance matrix adds one for each axis of each of its contacts. A contact
+    /// with a constant force has a slide, which counts as a joint.
     #[must_use]
     pub fn coordinates(&self) -> usize {
         self.coordinates_in(Space::of::<C>())
@@ -67,7 +67,7 @@ impl<const C: usize> Hand<C> {
         Space::of::<C>()
     }
 
-    /// Largest number of coordinates of a grasp by this hand, in the plane or in space; see [`Self::coordinates`].
+    /// Upper limit of the number of coordinates of a grasp by this hand, in the plane or in space; see [`Self::coordinates`].
     pub(super) fn coordinates_in(&self, space: Space) -> usize {
         let saturates = |limit: Option<Limit>| usize::from(matches!(limit, Some(Limit::Saturates(_))));
         let mut all = space.of_the_object() + self.joints();

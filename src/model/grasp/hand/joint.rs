@@ -131,8 +131,8 @@ impl<const C: usize> Joint<C> {
         /// Sets the commanded displacement θ, rad or m.
         pub fn command(mut self, theta: f64) { self.command = theta; }
 
-        /// Sets a constant torque on the joint, positive along its displacement φ, N m (for a prismatic joint a force, N). Examples are a finger under
-        /// force control and the weight of a link.
+        /// Sets a constant torque on the joint, positive along its displacement φ, N m (for a prismatic joint a force, N). Examples are a finger
+        /// under force control and the weight of a link.
         pub fn torque(mut self, torque: f64) { self.torque = torque; }
 
         /// Sets a bound on the magnitude of the torque of the joint's own spring. A constant [torque](Self::torque) does not count.
@@ -146,8 +146,9 @@ impl<const C: usize> JointMotion<C> {
         if let Self::Revolute { point, .. } = self { Some(*point) } else { None }
     }
 
-    /// Velocity of a point per unit velocity of the joint: `axis × (point - centre)`, or the unit direction. For an invalid axis or direction the
-    /// error is the length of this vector, or its component that is not finite.
+    /// Velocity of the point `at` per unit velocity of the joint. For a revolute joint it is `axis × (at - point)`, with the unit vector along the
+    /// axis. For a prismatic joint it is the unit direction, and for a given motion zero. For an invalid axis or direction, the error is its length,
+    /// or its component that is not finite.
     pub(super) fn of_point(&self, at: &SVector<f64, C>) -> Result<SVector<f64, C>, f64> {
         let along = |axis: &SVector<f64, C>| unit(axis).ok_or_else(|| length_or_culprit(axis));
         match self {

@@ -23,15 +23,16 @@ pub(crate) struct Linkage {
     /// Reference lengths by which the displacements of joints and other bodies are multiplied, so that all coordinates are lengths. Entries of the
     /// object's coordinates are 1.
     pub(crate) lengths: Vector,
-    /// Motion of each contact along the coordinate axes, per unit of each coordinate after the object's.
+    /// Motion of each contact with the coordinates after the object's, as pairs. A pair has the index of a coordinate, counted after the object's,
+    /// and the displacement of the contact along x, y and z per unit of this coordinate.
     pub(crate) motions: Vec<Vec<(usize, SVector<f64, 3>)>>,
-    /// Drives (springs of joints and tendons). In the engine's list of sites, i.e. contacts and drives, they follow the contacts in this order.
+    /// Drives (springs of joints and tendons). The engine's list of sites holds all contacts, then these drives in the same order.
     pub(crate) drives: Vec<Drive>,
     /// Constant generalised forces on the coordinates: from joint torques, from tensions of tendons, and from contacts with a constant force.
     pub(crate) held_forces: Vector,
     /// External torques on the joints, in the engine's coordinates.
     pub(crate) external_torques: Vector,
-    /// The bodies, if there is more than one object.
+    /// The bodies of a grasp that was made from named bodies; `None` for a single object without a name.
     pub(crate) bodies: Option<Box<PlacedBodies>>,
     /// Line segments from joint to joint and on to the contacts, for pictures only.
     pub(crate) bones: Vec<[SVector<f64, 3>; 2]>,
@@ -41,7 +42,7 @@ pub(crate) struct Linkage {
     pub(crate) commands: Vec<f64>,
 }
 
-/// Data of a joint or of a tendon, used in answers.
+/// Name, limit and constant torque or tension of a joint or a tendon.
 #[derive(Debug, Clone)]
 pub(crate) struct NamedPart {
     pub(crate) name: Option<Arc<str>>,

@@ -20,8 +20,9 @@ pub(super) enum NotPositive {
     Eigenvalue(f64),
 }
 
-/// Columns l with `M = Σ l lᵀ` for a positive semidefinite matrix M, as many as its rank, by Cholesky factorisation with diagonal pivoting. The pivot
-/// is the diagonal entry with the largest remainder relative to its original value. Entries of very different size thus keep their relative accuracy.
+/// Columns l with `M = Σ l lᵀ` for a positive semidefinite matrix M, as many as its rank. They are computed by Cholesky factorisation with diagonal
+/// pivoting, which leaves a remainder of M after each column. The pivot is the diagonal entry with the largest remainder relative to its original
+/// value. Entries of very different size thus keep their relative accuracy.
 pub(super) fn squares(matrix: &DMatrix<f64>, size: usize) -> Result<Vec<DVector<f64>>, NotPositive> {
     checked(matrix, size)?;
     let whole = matrix.diagonal();
@@ -60,7 +61,7 @@ pub(super) fn squares(matrix: &DMatrix<f64>, size: usize) -> Result<Vec<DVector<
         }
         columns.push(column);
     }
-    // The diagonal of the block that remains counts as zero. In a semidefinite matrix all entries of such a block are zero.
+    // The diagonal of the block that remains counts as zero. For a semidefinite M all entries of this block must then be zero.
     let beside = |i: usize, j: usize| rest[(i, j)].abs() / (whole[i] * whole[j]).sqrt();
     if left.iter().any(|&i| left.iter().any(|&j| beside(i, j) > NEGATIVE_REMAINDER)) {
         return Err(NotPositive::Eigenvalue(least_eigenvalue(matrix)));

@@ -57,7 +57,8 @@ read_as_object!("a tendon", Tendon);
 
 impl Tendon {
     /// A tendon with these moment arms at the joints of the hand, finger by finger, in m (without unit at a prismatic joint). An arm is positive if a
-    /// pull moves the joint in the direction of its positive displacement. There is one for each joint, 0 for one that the tendon does not reach.
+    /// pull moves the joint in the direction of its positive displacement. The list has one arm for each joint, with 0 for a joint that the tendon
+    /// does not reach.
     pub fn new(arms: impl IntoIterator<Item = f64>) -> Self {
         let arms = arms.into_iter().list();
         Self { name: None, arms, stiffness: 0.0, pull: 0.0, tension: 0.0, limit: None, pushes: false }
