@@ -99,6 +99,9 @@ fn a_bar_pressed_too_hard_buckles_at_rest() -> Result<(), Error> {
         };
         // A brief verdict is on the whole load, beyond the first slip.
         let brief = Grasp::hold_batch(1, &row, &Settings::default()).remove(0)?;
+        // Followed to the whole load alone, under which everything sticks.
+        let to_there = Grasp::hold_batch(1, &row, &Settings::default().with_most_load(1.0)).remove(0)?;
+        assert_eq!(to_there.motion == Some(LossVerb::Buckles), part > 1.0, "{to_there:?}");
         let grasp = Grasp::new(bar.clone())?;
         let verdict = grasp.hold(load)?;
         settle(verdict.to_string(), verdict.holds(), brief.motion);

@@ -214,6 +214,10 @@ fn odd_rows() {
     let found = check(&rows, &up_to_the_load());
     assert!(found[VerdictKind::Sticks as usize] > 10 && found[VerdictKind::Lost as usize] > 5, "{found:?}");
     assert!(found[VerdictKind::NoRest as usize] + found[VerdictKind::LostAtRest as usize] > 5, "{found:?}");
+    // A batch of pads alone is screened. Where nothing presses and no load acts, the object lies loose.
+    let of_pads = [(0.0, none), (0.0, down(4.0)), (10.0, none), (10.0, down(4.0))];
+    let found = check(&of_pads.map(|(force, load)| (pads(0.5, force), [none, load])), &up_to_the_load());
+    assert_eq!(found[VerdictKind::Loose as usize], 1, "{found:?}");
     // Verdicts beyond the whole load, and on a polygon, are not screened.
     check(&rows, &Settings::default());
     check(&rows, &up_to_the_load().on_the_polygon());
@@ -227,7 +231,7 @@ fn a_parallel_jaw_with_pads_is_answered() {
         .map(|k| {
             let (mu, force) = (0.2 + 0.02 * f64::from(k), 5.0 + f64::from(k));
             let jaw = |x: f64| {
-                let jaw = spatial::Contact::new([x, 0.0, 0.0], [-x, 0.0, 0.0]).series_stiffness(2e3, 1e3);
+                let jaw = spatial::Contact::new([x, 0.0, 0.0], [-x, 0.0, 0.0]).series_stiffness(2e4, 1e4);
                 tip.contacts(&jaw.friction(mu).pressed_with(force)).unwrap()
             };
             (

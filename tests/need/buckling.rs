@@ -4,9 +4,9 @@
 //! fingers' forces take away `2 N a`. A force F at the height h below the middle adds `F h` to this stiffness if it points down, and takes `F h` away
 //! if it points up.
 
-use grasp_lcp::Error;
-use grasp_lcp::need::{Amount, Need};
+use grasp_lcp::need::{Amount, Demand, Need, Quantity};
 use grasp_lcp::planar::{Contact, Grasp, Loads, Turn, Wrench};
+use grasp_lcp::{Error, Settings};
 
 const STIFFNESS: f64 = 2e3;
 const HALF: f64 = 0.05;
@@ -41,6 +41,37 @@ fn a_force_that_may_point_up() -> Result<(), Error> {
     let Amount::Bound { until: Some(end), .. } = &needed.amount else { panic!("{needed}") };
     let expected = (RESISTS - size * BELOW) / (2.0 * press * HALF);
     assert!((end.sufficient / expected - 1.0).abs() < 1e-5, "{} {expected} {needed}", end.sufficient);
+    Ok(())
+}
+
+/// A batch finds neither a load nor a squeeze with which everything sticks where the bar buckles, as the search for a single grasp.
+#[test]
+fn amounts_of_a_batch() -> Result<(), Error> {
+    let presses = [0.9, 1.1].map(|part| part * STIFFNESS * HALF);
+    let push = Wrench::force_at([0.0, -200.0], [0.0, 0.0]);
+    for quantity in [Quantity::Load, Quantity::Squeeze] {
+        let row = |row: usize, contacts: &mut Vec<Contact>| {
+            contacts.extend(bar(presses[row]).expect("well posed").contacts().iter().cloned());
+            [Wrench::ZERO, push]
+        };
+        let batch = Grasp::need_batch(2, &row, (quantity, Demand::Sticks), &Settings::default());
+        for (press, amount) in presses.into_iter().zip(batch) {
+            let need = if quantity == Quantity::Load { Need::load(push) } else { Need::squeeze(push) };
+            let needed = bar(press)?.need(&need.to_stick().with_scan(0))?;
+            let amount = amount?;
+            assert!(
+                amount
+                    .bound()
+                    .is_none_or(|bound| (bound / needed.amount.bound().unwrap() - 1.0).abs() < 1e-9),
+                "{needed}"
+            );
+            assert_eq!(
+                amount.bound().is_some(),
+                press < STIFFNESS * HALF && quantity == Quantity::Load,
+                "{needed}"
+            );
+        }
+    }
     Ok(())
 }
 

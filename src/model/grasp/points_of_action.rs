@@ -61,6 +61,11 @@ impl PointsOfAction {
         self.0.map(|sum| SMatrix::identity() * sum.trace() - (sum + sum.transpose()) * 0.5)
     }
 
+    /// An upper bound of the magnitude of the eigenvalues of [`Self::stiffness`], N m: the sum of the singular values of V, which is at most √3 |V|.
+    pub(crate) fn most_stiffness(self) -> Option<f64> {
+        self.0.map(|sum| 3f64.sqrt() * sum.norm())
+    }
+
     fn map(self, change: impl FnOnce(SMatrix<f64, 3, 3>) -> SMatrix<f64, 3, 3>) -> Self {
         Self(self.0.map(change))
     }

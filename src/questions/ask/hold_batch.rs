@@ -7,6 +7,7 @@ use core::ops::Range;
 
 use super::grasp::Grasp;
 use super::rows::{RowOf, answers_of_rows, while_sticking};
+use super::surely_stable::surely_stable;
 use crate::error::Error;
 use crate::hold::ShortVerdict;
 use crate::load_path::Ramp;
@@ -24,8 +25,7 @@ impl<const C: usize> Grasp<C> {
     /// takes a few microseconds; [`screening`](crate::screening) says which contacts it supports. The load factor of the first slip comes from
     /// screening and equals that of [`Self::hold`] up to rounding. If contacts slide one after another, and none opens or sticks again, a row takes
     /// some ten times as long, and its factors differ from those of [`Self::hold`] by the error of steps, [`Settings::step_error`]. Any other row
-    /// takes as long as [`Self::hold`]. Where screening shows that everything sticks, buckling is not checked
-    /// ([`TooFar::Buckles`](crate::equilibrium::TooFar::Buckles)).
+    /// takes as long as [`Self::hold`], so also one whose forces are so large for its stiffness that it might buckle.
     ///
     /// The verdicts are in the order of the rows, with the same bits for any number of threads. An error in one row does not stop the other rows.
     ///
@@ -64,7 +64,9 @@ fn held<const C: usize>(
     settings: &Settings,
 ) -> Vec<Result<ShortVerdict, Error>> {
     let ends_there = settings.most_load > 0.0 && settings.most_load <= 1.0;
-    let sticking = while_sticking(rows.clone(), row, settings, &|_, _| ends_there);
+    let sticking = while_sticking(rows.clone(), row, settings, &|contacts, [base, load]| {
+        ends_there && surely_stable(contacts, 1.0, [base, base + load])
+    });
     let limit = settings.small_motions.rotation;
     let mut verdicts = Vec::with_capacity(rows.len());
     for (number, sticking) in rows.zip(sticking) {

@@ -30,12 +30,12 @@ pub(crate) fn answers_of_rows<T: Send>(
 }
 
 /// First slip of each row, and the larger of the rotations under the base load and under the whole load. `None` for a row whose contacts screening
-/// does not support, and for a row for whose contacts and base load `is_meant` returns false.
+/// does not support, and for a row for whose contacts and loads `is_meant` returns false.
 pub(crate) fn while_sticking<const C: usize>(
     rows: Range<usize>,
     row: &RowOf<'_, C>,
     settings: &Settings,
-    is_meant: &dyn Fn(&[Contact<C>], &Wrench<C>) -> bool,
+    is_meant: &dyn Fn(&[Contact<C>], [Wrench<C>; 2]) -> bool,
 ) -> Vec<Option<WhileSticking>> {
     let mut answers = vec![None; rows.len()];
     let is_exact = C == 2 || settings.is_round(Space::Spatial);
@@ -51,7 +51,7 @@ pub(crate) fn while_sticking<const C: usize>(
         // may carry no force at all (a loose object), and it computes no slips of contacts without friction.
         let presses = contacts.iter().any(|contact| contact.hold == Hold::Unilateral);
         let sticks = |contact: &Contact<C>| contact.hold == Hold::Bonded || contact.springs() > 1;
-        if !(presses && contacts.iter().all(sticks) && is_meant(&contacts, &base)) {
+        if !(presses && contacts.iter().all(sticks) && is_meant(&contacts, [base, load])) {
             continue;
         }
         let Ok(pull) = Pull::new(&base, &load) else { continue };

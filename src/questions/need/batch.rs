@@ -11,7 +11,7 @@ use core::ops::Range;
 use super::answer::{Amount, Quantity};
 use super::question::{Demand, Need};
 use super::tolerances::MOST_LOADS;
-use crate::ask::{Grasp, RowOf, answers_of_rows, while_sticking};
+use crate::ask::{Grasp, RowOf, answers_of_rows, surely_stable, while_sticking};
 use crate::error::Error;
 use crate::grasp::{Contact, Wrench, inside};
 use crate::hold::{Holding, Verdict};
@@ -134,8 +134,8 @@ impl BatchNeed {
         row: &RowOf<'_, C>,
     ) -> Vec<Result<ShortAmount, Error>> {
         let sticks = self.demand == Demand::Sticks;
-        let sticking = while_sticking(rows.clone(), row, &self.settings, &|contacts, base| {
-            sticks && self.is_proportional(contacts, base)
+        let sticking = while_sticking(rows.clone(), row, &self.settings, &|contacts, [base, _]| {
+            sticks && self.is_proportional(contacts, &base)
         });
         let mut bounds: Vec<_> =
             mapped(&sticking, &|sticking| sticking.as_ref().and_then(|one| self.while_it_sticks(one)));
@@ -145,11 +145,21 @@ impl BatchNeed {
         let mut amounts = Vec::with_capacity(rows.len());
         for (number, bound) in rows.zip(bounds) {
             amounts.push(match bound {
-                Some(amount) => Ok(ShortAmount::Bound(amount)),
-                None => caught(&|| self.alone(number, row)),
+                Some(amount) if self.is_surely_stable(amount, number, row) => Ok(ShortAmount::Bound(amount)),
+                _ => caught(&|| self.alone(number, row)),
             });
         }
         amounts
+    }
+
+    /// Whether the grasp of a row surely does not buckle with this amount of the sought quantity.
+    fn is_surely_stable<const C: usize>(&self, amount: f64, number: usize, row: &RowOf<'_, C>) -> bool {
+        let mut contacts = Vec::new();
+        let [base, load] = row(number, &mut contacts);
+        match self.quantity {
+            Quantity::Squeeze => surely_stable(&contacts, amount, [base, base + load]),
+            _ => surely_stable(&contacts, 1.0, [base, base + load * amount]),
+        }
     }
 
     /// Fills in answers that [`Self::while_it_sticks`] leaves open, if the load is sought. That function bounds the rotation under the sought

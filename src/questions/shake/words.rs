@@ -45,7 +45,9 @@ impl<const C: usize> Shaken<C> {
         match &self.repeats {
             Repeats::Rests { after: 0, .. } => {
                 match self.slides_and_yields(&[]) {
-                    yields if yields.is_empty() => f.write_str("RESTS: nothing slides as the load repeats")?,
+                    yields if yields.is_empty() => {
+                        f.write_str("RESTS: nothing slides as the load repeats")?
+                    }
                     yields => write!(f, "RESTS: no contact slides as the load repeats, but {yields}")?,
                 }
                 self.write_opens(f)
