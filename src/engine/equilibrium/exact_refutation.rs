@@ -52,8 +52,9 @@ impl Exact {
         }
     }
 
-    /// Generators, pairs of stretch and force, of the contact law relaxed to its convex hull. `label` restricts the states of the contact in the
-    /// present case. The contact must have finite friction and must be able to open.
+    /// Generators of the convex cone to which the contact law is relaxed. Each is a pair of vectors, N: the stretches of the contact's springs times
+    /// their stiffnesses, and the contact force. `label` restricts the states of the contact in the present case. The contact must have finite
+    /// friction and must be able to open.
     fn generators(&self, label: &Label) -> Vec<[[Rational; 3]; 2]> {
         let zero = Rational::zero;
         let none = || [zero(), zero(), zero()];
@@ -109,7 +110,8 @@ fn around(from: f64, to: f64) -> Vec<[Rational; 2]> {
     (0..2 * pieces).map(corner).chain([point(from, 1.0), point(to, 1.0)]).collect()
 }
 
-/// Virtual contact forces that balance one another exactly: six components of `forces` are changed, by elimination.
+/// Virtual contact forces that balance one another exactly. They differ from `forces` in six components, found by Gaussian elimination of the six
+/// equations of equilibrium.
 fn balanced(contacts: &[Exact], forces: &[SVector<f64, 3>]) -> Vec<Rational> {
     let mut forces: Vec<Rational> = forces.iter().flat_map(|f| f.iter().map(|x| exact(*x))).collect();
     let column = |j: usize| &contacts[j / 3].map[j % 3];
@@ -205,8 +207,8 @@ fn every_leaf_is_contradicted_in_exact_arithmetic() -> Result<(), crate::Error> 
         let stored = problem.sites.iter().zip(&state.forces).map(|(s, f)| 2.0 * s.springs.stored(f));
         let data = exact(stored.sum::<f64>().sqrt());
 
-        // The grasp holds a quarter of the load, so that no proof exists for a quarter. The same steps must fail there: this shows that the
-        // check of a proof can fail.
+        // The grasp holds a quarter of the load, so that no proof exists under this smaller load. The steps of the proof must then fail: the test
+        // thus shows that the check can reject a proof.
         let (held, mut weak) = (grasp.problem_under(&(load * 0.25), &settings)?, 0);
         let mut open = vec![problem.each(|local| local.first_label())];
         for step in &steps {

@@ -52,9 +52,9 @@ fn lets_pass(local: &LocalLaw<'_>, force: &SVector<f64, 3>, velocity: &SVector<f
         Resistance::ByFriction(_) if velocity[0].abs() > none => false,
         Resistance::ByFriction(_) if !local.may_slide() || tangential(velocity).norm() <= none => true,
         Resistance::ByFriction(most) => {
-            // `most` is the greatest power with which friction can oppose this velocity, scaled from a unit of normal stretch to the present normal
-            // force. The present friction is at this limit if its direction opposes the slip to within √(2·1e-10) rad. The last term allows for a
-            // normal velocity that is only rounding.
+            // `most` is the greatest power, W, with which friction can oppose this velocity under the present normal force;
+            // [`Resistance::ByFriction`] has it per unit of normal stretch. The tolerance 1e-10 accepts a friction force whose direction is within
+            // √(2·1e-10) rad of the direction against the slip. The last term allows for a normal velocity that is only rounding.
             let most = most * force[0] / local.springs.force_along(0, 1.0);
             -force.dot(velocity) >= most - 1e-10 * most.abs() - force[0] * none
         }
@@ -70,7 +70,8 @@ impl<'g> PiecewiseFollower<'g> {
         let (mut still, mut gaps, mut fastest) = (Vec::new(), Vec::new(), 0.0);
         for (i, site) in grasp.sites().iter().enumerate() {
             let velocity = site.map.tr_mul(motion);
-            // A contact velocity below this fraction of the largest velocity that a motion of the same norm could give the contact is rounding.
+            // A contact velocity up to `none` is rounding: it is a tiny fraction of the largest velocity that any motion of the same norm could give
+            // this contact.
             let none = NEGLIGIBLE * site.span_moved(&SVector::zeros(), motion.norm());
             let (local, force) = (self.segment.problem.local(i), &self.node.at.forces[i]);
             still.push(velocity.norm() <= none);

@@ -70,8 +70,8 @@ impl PiecewiseFollower<'_> {
     ) -> Option<StepEnd> {
         let (mut low, mut high) = ((0.0, start[k].value.max(0.0)), (end.length, end.watches[k].value));
         if start[k].is_met() {
-            // The condition's value is zero, up to rounding, at the start of the step already. It is set to zero there, and becomes negative right
-            // after the start.
+            // The value of the condition is zero up to rounding already at the start of the step. The rounding error is removed; the value becomes
+            // negative right after the start.
             low.1 = 0.0;
         }
         // At most eighty lengths are tried; bisection alone would need about fifty, the bits of a floating-point number.

@@ -25,8 +25,8 @@ pub(crate) struct Cycles<'g> {
     base: Wrench<3>,
     /// Number of cycles followed so far, including a cycle that the path did not finish.
     completed: usize,
-    /// The first motion beyond its limit in the first cycle, or a leak or buckling in any cycle. In the first cycle it is found wherever it
-    /// occurs, in later cycles only at their ends.
+    /// The reason why the theory of small motions ceases to apply: in the first cycle, the first motion beyond its limit, leak of a suction cup, or
+    /// buckling, wherever it occurs. In later cycles only buckling at the end of a cycle is stored here.
     too_far: Option<TooFar>,
 }
 
@@ -95,7 +95,7 @@ fn are_alike(a: &[State], b: &[State]) -> bool {
 }
 
 impl<'g> Cycles<'g> {
-    /// The cycle `legs` before it is followed for the first time, at the equilibrium under `base`, the load at the beginning of the cycle.
+    /// The path along the cycle `legs` before its first cycle: it is at the equilibrium under `base`, the load at the beginning of the cycle.
     ///
     /// # Errors
     /// As for [`Grasp::follow`](crate::ask::Grasp::follow), and [`Error::NotClosed`] for legs that do not lead back to their beginning.
@@ -105,7 +105,8 @@ impl<'g> Cycles<'g> {
         settings: &Settings,
     ) -> Result<Self, Error> {
         let path = Following::start(grasp, (base, legs), settings, PiecewiseFollower::at_start)?;
-        // A cycle of legs is closed if it ends with its initial loads and commands. They may differ by this fraction of the largest along it.
+        // A cycle of legs is closed if it ends with its initial loads and commands, up to the fraction `SOLVED_ROUNDING` of their largest values
+        // along the cycle.
         path.run.program.check_closed(SOLVED_ROUNDING)?;
         Ok(Self { path, legs: legs.to_vec(), base: *base, completed: 0, too_far: None })
     }

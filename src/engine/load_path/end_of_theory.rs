@@ -73,6 +73,6 @@ fn buckling<const C: usize>(path: &dyn AnyPath<C, Event<C>>, end: (usize, f64)) 
     Some(EndOfSmallMotions { leg, fraction: from, what: TooFar::Buckles })
 }
 
-/// Number of parts into which a leg with a turning load is divided; buckling is checked at the end of each part. If smaller, a range of angles
-/// in which the grasp buckles is missed; if larger, answers about turning loads take longer.
+/// Number of parts into which a leg with a turning load is divided; buckling is checked at the end of each part. With fewer parts, a range of angles
+/// in which the grasp buckles could be missed; with more parts, answers about turning loads take longer.
 const PARTS_OF_A_TURN: u32 = 36;

@@ -13,10 +13,9 @@ use crate::numerics::{IntoList, chosen, mapped, moved, picked};
 use crate::prelude::*;
 
 impl<'g> PiecewiseFollower<'g> {
-    /// Begins to store the present friction cone of every contact, if some contact has kinetic friction below its static friction. Contacts that
-    /// slide at the start get kinetic friction. This may cause a jump (motion at constant load to another equilibrium), which the path then
-    /// reports as its first event. Changes nothing if the cones are stored already. The error is the end of the path, if the jump leads to no
-    /// equilibrium.
+    /// If some contact has kinetic friction below its static friction, stores the present friction cone of every contact from here on. Contacts that
+    /// slide at the start get kinetic friction. This may cause a jump (motion at constant load to another equilibrium), which the path reports as its
+    /// first event. Changes nothing if the cones are stored already. The error is the end of the path, if the jump leads to no equilibrium.
     pub(super) fn with_falling_friction(mut self, run: &ProgramRun<'g>) -> Result<Self, PathEnd<3>> {
         let grasp = run.grasp;
         if self.friction_falls() || grasp.weaker_once_they_slide().next().is_none() {
@@ -89,8 +88,8 @@ impl<'g> PiecewiseFollower<'g> {
         self.stalls = 0;
     }
 
-    /// A leg along which neither load nor commands change represents passing time: contacts that slide with kinetic friction come to rest.
-    /// Returns their changes to sticking; empty on every other leg.
+    /// A leg along which neither load nor commands change stands for a pause, in which contacts that slide with kinetic friction come to rest: they
+    /// stick, with static friction. Returns their changes to sticking; empty on every other leg.
     pub(super) fn pause(&mut self) -> Vec<(usize, Change<3>)> {
         let segment = &self.segment;
         let is_still = matches!(&segment.trajectory, Trajectory::Straight { rate, .. } if rate.norm() == 0.0)

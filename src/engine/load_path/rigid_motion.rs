@@ -25,8 +25,8 @@ use crate::prelude::*;
 const MOST_RIGID: usize = 64;
 
 /// The unit motion with which the object starts to move if no contact presses and nothing balances the rate of the load. `rates` is the problem for
-/// the rates of forces and motion. `None` if no contact touches, or if a contact presses, is kept closed, or touches and never slides. Also `None` if
-/// a command changes, if the motion is zero, or with more than [`MOST_RIGID`] coordinates or touching contacts.
+/// the rates of forces and motion. `None` if no contact touches, if some contact presses or is kept closed, or if a touching contact has infinite
+/// friction. `None` also if a command changes, if the motion is zero, or with more than [`MOST_RIGID`] coordinates or touching contacts.
 pub(super) fn rigid_motion(rates: &Problem) -> Option<Vector> {
     if rates.wrench.as_slice().len() > MOST_RIGID || rates.offsets.iter().any(|offset| offset.norm() > 0.0) {
         return None;
@@ -59,8 +59,8 @@ pub(super) fn rigid_motion(rates: &Problem) -> Option<Vector> {
         let slides_freely = rates.local(i).is_frictionless() || !site.springs.resists_tangentially();
         friction.push(if slides_freely { 0.0 } else { rates.local(i).cone().limit(1.0) });
     }
-    // In the plane nothing moves along the second tangent. An entry of one on the diagonal makes friction along this tangent zero, without
-    // coupling it to the motion of the object.
+    // In the plane nothing moves along the second tangent, so that its row and column of `products` are zero. An entry of one on their diagonal keeps
+    // the matrix regular, and makes friction along this tangent zero.
     let is_absent = |a: usize| a % 3 >= rates.space().axes();
     let products = matrix_of(columns.len(), columns.len(), &|a, b| {
         if a == b && is_absent(a) { 1.0 } else { columns[a].dot(&columns[b]) }
@@ -79,7 +79,8 @@ pub(super) fn rigid_motion(rates: &Problem) -> Option<Vector> {
     let largest = pushes.r.amax();
     for (k, &i) in touching.iter().enumerate() {
         let push = pushes.r.rows(3 * k, 3);
-        // A contact whose friction is within this fraction of its limit (friction coefficient times normal force) is taken as sliding.
+        // Contacts with less than this fraction of the largest force do not press. A pressing contact slides if its friction is within the same
+        // fraction of its limit, the friction coefficient times the normal force.
         let near = 1e-6;
         if push[0] <= near * largest {
             continue;

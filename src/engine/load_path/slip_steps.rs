@@ -66,7 +66,7 @@ impl Slips<'_> {
         if start.iter().any(|value| *value <= 0.0) {
             return None;
         }
-        // A step within which a sticking contact leaves its cone and returns is shortened at most twenty times.
+        // If the force of a sticking contact leaves its cone and returns within the step, the step is shortened, at most twenty times.
         for _ in 0..20 {
             let mut event = None;
             if let Some(k) = first_crossing(&start, &end.values) {
@@ -136,16 +136,16 @@ impl Slips<'_> {
             }
         }
         end.values = self.conditions(&end.at, &end.rates);
-        // The remaining arclength `rest` is then below the error of the step. At a maximum of the load factor, an error of arclength changes the
-        // load factor only by the square of the error.
+        // The end is accepted if the arclength `rest` still missing is small against the error of the step. At a maximum of the load factor, an error
+        // of arclength changes the load factor only by its square.
         (rest.abs() <= NEGLIGIBLE * length).then_some(end)
     }
 
     /// The derivative of the value of condition `k` with respect to arclength at the state `at`, from a difference over a millionth of `length`.
     /// `None` if the rates are not unique.
     fn slope(&self, k: usize, (at, rates): (&[f64], &[f64]), length: f64) -> Option<f64> {
-        // The arclength over which the difference quotient is taken. The derivative is accurate enough for each Newton iteration to gain six
-        // digits.
+        // The difference quotient is taken over this arclength. The derivative then has about six correct digits, so that each Newton iteration gains
+        // six digits.
         let little = 1e-6 * length;
         let ahead: Vec<f64> = paired(at, rates, &|(at, rate)| at + little * rate);
         let mut rates_ahead = vec![0.0; at.len()];
@@ -153,9 +153,9 @@ impl Slips<'_> {
         Some((self.condition(k, &ahead, &rates_ahead) - self.condition(k, at, rates)) / little)
     }
 
-    /// The least fraction of the step `end`, over the sticking contacts, at which a contact force is clearly outside its cone; the force may be
-    /// inside again at the end of the step. If it is not decided whether a force leaves its cone, the fraction for its contact is one half.
-    /// `None` if all forces stay inside their cones.
+    /// The fraction of the step `end` at which a sticking contact is outside its friction cone, by more than the error of margins; the least over all
+    /// sticking contacts. The force may be inside the cone again at the end of the step. If the interpolated force of a contact leaves open whether
+    /// it is ever outside, the fraction for this contact is one half: the caller then halves the step. `None` if all forces stay inside their cones.
     fn first_dip(&self, (at, rates): (&[f64], &[f64]), end: &SlipStep, tolerance: f64) -> Option<f64> {
         let mut first: Option<f64> = None;
         for i in self.sticking() {

@@ -154,8 +154,8 @@ fn needed(grasp: &Grasp<3>, need: &Need<3>, needed: &Needed) -> Result<ShownStat
     })
 }
 
-/// The improved grasp and the original grasp. Each is shown under the load at first slip or, if the largest margin to the friction limit is the goal,
-/// under the full load. Without such a load it is shown under the base load.
+/// The improved grasp and the original grasp. Each is shown in equilibrium under the load at first slip or, if the goal is the largest margin to the
+/// friction limit, under the full load. If this load is not known or infinite, it is shown under the base load.
 fn improved(
     grasp: &Grasp<3>,
     asked: &Improve<3>,
