@@ -260,8 +260,8 @@ impl OptionVectors {
         Ok(wrench.map(|load| Question::Hold { base, load: load * times, together_with }))
     }
 
-    /// The question `improve`; `None` without any load: the caller then asks the scene's own questions. Without a load, options that need one are an
-    /// error.
+    /// The question `improve`. `None` if the command line gives no load: the caller then asks the scene's own questions. Options that need a load are
+    /// an error without one.
     fn improve(
         self,
         load: &LoadArguments,

@@ -1,4 +1,5 @@
-//! The program: answers, draws, maps and streams scenes.
+//! The program `grasp-lcp`. It answers the questions of a scene, draws pictures of the answers, maps the force that a grasp holds in every direction,
+//! and answers a stream of scenes, one a line.
 
 #[macro_use]
 mod printing;

@@ -1,10 +1,11 @@
 //! Checks a case-by-case proof of no equilibrium ([`Refutation`](super::Refutation)) in exact rational arithmetic, on the numbers of the problem.
 //!
-//! The virtual contact forces of each case are first balanced exactly, by changing six of their components. The gain of a case is the work of virtual
-//! forces along the commanded offsets (displacements of fingers minus clearances), minus the work of the load along the virtual motion. In each case
-//! the contact law is relaxed to a convex cone, with polygons around arcs of friction directions. Each generator of this cone is tested. The virtual
-//! work of a generator is divided by the square root of its energy. The quotient must not exceed the gain divided by [`ESCAPE`] and by the size of
-//! the elastic trial state, in which every contact sticks. Rounding could then hide only an equilibrium [`ESCAPE`] times larger than that state.
+//! A case has a virtual motion of the object and virtual contact forces. The forces are first made to balance one another exactly, by changing six of
+//! their components. The gain of the case is the work of these forces along the offsets (commanded displacements of fingers minus clearances), minus
+//! the work of the load along the motion. The gain must be positive. In each case the contact law is relaxed to a convex cone: a polygon around an
+//! arc of friction directions replaces the arc. For each generator of this cone, the virtual work divided by the square root of the generator's
+//! energy must not exceed a bound. The bound is the gain divided by [`ESCAPE`] and by the size of the elastic trial state, in which every contact
+//! sticks. An equilibrium that rounding hides from the proof would then be at least [`ESCAPE`] times larger than that state.
 
 use core::f64::consts::FRAC_PI_8;
 
@@ -96,7 +97,8 @@ impl Exact {
     }
 }
 
-/// Corners of a polygon around the arc of the unit circle between two angles. It has twice as many sides as in the proof that is checked.
+/// Corners of a polygon around the arc of the unit circle between two angles. The polygon has twice as many sides as the polygon of the proof, so
+/// that it lies closer to the arc.
 fn around(from: f64, to: f64) -> Vec<[Rational; 2]> {
     let pieces = (1..16).find(|k| to - from <= FRAC_PI_8 * f64::from(*k)).unwrap_or(16);
     let half = 0.25 * (to - from) / f64::from(pieces);
@@ -143,8 +145,9 @@ fn balanced(contacts: &[Exact], forces: &[SVector<f64, 3>]) -> Vec<Rational> {
     forces
 }
 
-/// Whether a virtual motion and virtual contact forces contradict a case in exact arithmetic. In the case, the label of each contact lists the states
-/// that the contact may have. `data` is the size of the elastic trial state, in which every contact sticks: the square root of an energy.
+/// Whether a virtual motion and virtual contact forces contradict a case in exact arithmetic. The case is given by a label for each contact, which
+/// says in which states the contact may be. `data` is the size of the elastic trial state, in which every contact sticks: the square root of an
+/// energy.
 fn is_contradicted(
     problem: &Problem,
     contacts: &[Exact],

@@ -60,7 +60,7 @@ impl<'g> StickingResponse<'g> {
         Self { grasp, problem, states: states.to_vec(), linear_problem, edges }
     }
 
-    /// The contact law of one contact.
+    /// The contact law, with friction cone and springs, of one contact. For an index after the contacts, the law of a drive.
     pub(crate) fn law(&self, contact: usize) -> LocalLaw<'_> {
         self.problem.local(contact)
     }

@@ -246,7 +246,8 @@ impl<'s, 'g> Arc<'s, 'g> {
         let ends = [along.factor * scale, scale];
         let (x, factor) = t.solved_once(self.segment.grasp.size(), [&-&push, &row], ends)?;
         let length = (x.norm_squared() + factor * factor).sqrt();
-        // Within a step the tangent of the path may turn by sixty degrees at most. After a larger turn the sign of the direction might be wrong.
+        // `1 / length` is the cosine of the angle between the direction and `along`. Between two evaluations the direction may turn by sixty degrees
+        // at most, because after a larger turn its sign might be wrong.
         let turned = 1.0 / length >= 0.5;
         turned.then(|| Direction { twist: x * (self.unit / length), factor: factor / length })
     }
@@ -322,8 +323,8 @@ impl<'s, 'g> Arc<'s, 'g> {
             }
             let carried = ended?;
             let off = self.off_the_cones(&forces);
-            // Next to a fold (a maximum of the load factor) each correction round leaves a quarter of the distance of friction forces from their
-            // cones. More than four rounds are made only while each leaves less than a third.
+            // Each round of corrections reduces the distance `off` of friction forces from their cones; next to a fold (a maximum of the load factor)
+            // a round leaves a quarter of it. After four rounds the corrections end if a round leaves more than 0.3 of this distance.
             if round > 3 && off > 0.3 * last {
                 break;
             }
@@ -337,8 +338,8 @@ impl<'s, 'g> Arc<'s, 'g> {
                     .zip(&mut frictions)
                     .for_each(|(&i, friction)| *friction = tangential(&forces[i]));
             }
-            // If forces have shrunk to less than a quarter during the correction, the state still has the rounding errors of the larger forces. It is
-            // then corrected again.
+            // If the sum of contact forces has shrunk to less than a quarter during the correction, the state still has the rounding errors of the
+            // larger forces. Such a state is not accepted but corrected again.
             if initial_force <= 4.0 * carried {
                 balanced = Some((ForcesAndTwist { forces, twist: twist.clone() }, factor));
                 if is_on_them {
@@ -408,8 +409,8 @@ impl Segment<'_> {
         let arc = Arc::new(self, states, free_motions, (1.0, SharedTerms::default()));
         let largest = self.problem.largest_force(&at.forces, &at.twist).max(self.largest);
         let is_near = |(there, _): &(ForcesAndTwist, f64)| {
-            // After an event only rounding errors are to be corrected. A correction by more than this fraction of the largest force has
-            // therefore led to another equilibrium.
+            // After an event the correction should change forces only by rounding errors. If a force changes by more than this fraction of the
+            // largest force, the correction has led to another equilibrium, which is not used.
             there.forces.iter().zip(&at.forces).all(|(f, g)| (f - g).norm() <= 1e-6 * largest)
         };
         let balanced =

@@ -153,7 +153,8 @@ impl<'g> Cycles<'g> {
         self.path.end().filter(|end| !matches!(end, PathEnd::Completed))
     }
 
-    /// The first motion beyond its limit on the path so far, a leak, or buckling; `None` without any of these.
+    /// The reason why the theory of small motions no longer applies on the path so far: a motion beyond its limit, a leak of a suction cup, or
+    /// buckling. `None` if it still applies.
     pub(crate) fn too_far(&self) -> Option<TooFar> {
         self.too_far.clone().or_else(|| Some(self.path.end_of_small_motions()?.what.clone()))
     }
@@ -176,14 +177,15 @@ impl<'g> Cycles<'g> {
             self.path.continue_with(&self.legs).ok()?;
         }
         self.completed += 1;
-        // The last piece of the previous cycle is still stored, since the present state is computed from it. The energies of that piece are not
-        // added to this cycle.
+        // The list `behind` still has the last piece of the previous cycle, from which the present state is computed. The first `before` pieces are
+        // therefore not counted in this cycle.
         let before = self.path.follower.as_ref().map_or(0, |follower| follower.behind.len());
         while self.path.next().is_some() {}
         if self.completed == 1 {
             self.too_far = end_of_theory(&self.path, self.path.end_of_small_motions()).map(|end| end.what);
         } else if self.too_far.is_none() {
-            // Slips change the contact forces from cycle to cycle, so that the grasp may buckle in a later cycle.
+            // Slips change the contact forces from cycle to cycle, so that the grasp may buckle in a later cycle. This is checked at the end of each
+            // cycle.
             let state = self.path.state();
             self.too_far = state.and_then(|state| state.too_far).filter(|far| *far == TooFar::Buckles);
         }

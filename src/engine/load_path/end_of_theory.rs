@@ -12,8 +12,8 @@ use crate::numerics::tolerances::NEGLIGIBLE;
 impl<const C: usize> LoadPath<'_, C> {
     /// The point, on the part of the path followed so far, from which on the answers say little about the object. There a motion is no longer small,
     /// a suction cup leaks ([`Self::end_of_small_motions`]), or the grasp [buckles](TooFar::Buckles). Buckling is checked at rest. If the points of
-    /// action of the load are known, it is also checked at the end of each leg and of the path. The point at which it begins is then found to nine
-    /// digits.
+    /// action of the load are known, it is also checked at the end of each leg and of the path. The point at which buckling begins is then found to
+    /// nine digits.
     #[must_use]
     pub fn end_of_theory(&self) -> Option<EndOfSmallMotions> {
         self.end_of_theory_before(self.end_of_small_motions())

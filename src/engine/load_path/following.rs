@@ -58,7 +58,8 @@ impl<'g, F: Follower<'g>> Following<'g, F> {
         Ok(path)
     }
 
-    /// Starts the present leg if `has_leg`, otherwise ends the path as completed. Does nothing without a follower.
+    /// Starts the present leg if `has_leg`, otherwise ends the path as completed. Does nothing if the path has no follower because it could not
+    /// start.
     fn start_leg(&mut self, has_leg: bool) {
         if let Some(follower) = &mut self.follower {
             self.end = if has_leg { follower.start_leg(&self.run).err() } else { Some(PathEnd::Completed) };

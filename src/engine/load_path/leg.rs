@@ -211,7 +211,8 @@ impl<const C: usize> Leg<C> {
 
 impl Leg<3> {
     /// This leg with one command for each contact point. The command of a soft fingertip is repeated for all of its points. A link between bodies has
-    /// no entry in the commands, and keeps its pretension. Returns an error if the number of commands is wrong.
+    /// no entry in the caller's commands: its command stays as it is, so that the link keeps its pretension. Returns an error if the number of
+    /// commands is wrong.
     pub(super) fn of_points(&self, grasp: &Engine) -> Result<Self, Error> {
         let (what, none) = ("commands of a leg", SVector::zeros());
         let of_points = |rows: &Vec<_>, at_links: &dyn Fn(usize) -> SVector<f64, 3>| {

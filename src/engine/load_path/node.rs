@@ -57,7 +57,8 @@ pub(super) struct Node {
     pub(super) ahead: f64,
 }
 
-/// The continuation of the path from a node: the state with rates, the changes of contact states, and the number of other continuations.
+/// The continuation of the path from a node: the beginning of the next piece with rates, the changes of contact states at the node, and the number of
+/// other ways in which the path could continue.
 pub(super) struct NextPiece {
     pub(super) point: PathPoint,
     pub(super) changes: Vec<(usize, Change<3>)>,
@@ -121,8 +122,8 @@ impl Node {
         Ok(NextPiece { point, changes, other_continuations })
     }
 
-    /// Solves the rate problem at the node, the complementarity problem for the rates of forces and motion. The rates of load and commands are
-    /// those at the node or, while the load turns, slightly ahead.
+    /// Solves the rate problem at the node, the complementarity problem for the rates of forces and motion. The rates of load and commands are taken
+    /// at the node or, while the load turns, at a slightly larger load factor ("ahead").
     ///
     /// While the load turns, a slip may stop, or a force may touch the edge of its cone, exactly at the node. The rates at the node then do not show
     /// whether the slip reverses or the force leaves the cone; rates slightly ahead do. The load rates for which given states hold form a convex

@@ -104,9 +104,9 @@ pub(super) struct StickingState {
 }
 
 impl OnsetEvent<3> {
-    /// The onset at the load factor `factor`, from the caller's load and the solution `found` there. The active sets are the edges of friction cones
-    /// that forces have reached. `leaving` and `sites` are the contacts and drives that stop sticking. `lists` are emptied lists whose memory is
-    /// reused.
+    /// The onset at the load factor `factor`, made from the caller's load and the solution `found` at this load factor. The active sets are the edges
+    /// of friction cones that forces have reached. `leaving` and `sites` are the contacts and drives that stop sticking. `lists` are emptied lists
+    /// whose memory is reused.
     pub(super) fn new(
         segment: Segment<'_>,
         (factor, load): (f64, Wrench<3>),

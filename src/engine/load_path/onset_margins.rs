@@ -112,8 +112,8 @@ impl<'g> OnsetMargins<'g> {
 }
 
 impl Margin {
-    /// The change of the load factor at which this margin vanishes. All contact forces change by `forces`, and at constant forces the margin changes
-    /// by `direct`.
+    /// The change of the load factor at which this margin vanishes, if all contact forces change by `forces`, and the margin changes by `direct`
+    /// besides, as it does if a friction coefficient changes.
     fn factor_change(&self, forces: &[SVector<f64, 3>], direct: f64) -> f64 {
         -(self.row.dot(&forces[self.site]) + direct) / self.rate
     }

@@ -46,8 +46,8 @@ pub(super) struct OnsetMemory {
 }
 
 impl OnsetMemory {
-    /// The load along `trajectory` as a [`Segment`]. The rates of the offsets of the contacts' springs are taken from the field `change`, and no
-    /// contact has slipped yet.
+    /// A [`Segment`] along which the load follows `trajectory`, before any contact has slipped. The rates of the offsets of the contacts' springs are
+    /// taken from the field `change`.
     pub(super) fn segment<'g>(
         &mut self,
         grasp: &'g Engine,

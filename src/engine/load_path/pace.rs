@@ -49,7 +49,7 @@ impl Pace {
         }
     }
 
-    /// The step control after an event: only the number of steps is kept, and the step length is chosen anew.
+    /// The data of the step control after a node (event or start of a leg): only the number of steps so far is kept, everything else begins anew.
     pub(super) fn at_node(self) -> Self {
         Self { steps: self.steps, ..Self::new() }
     }
@@ -71,7 +71,8 @@ impl Pace {
     /// Records an accepted step of arclength `length`, whose error is the fraction `part` of the allowed error, and chooses the length of the next
     /// step. A step that was shortened (`cut`) to end at an event does not make the next step shorter.
     pub(super) fn accept(&mut self, length: f64, part: f64, cut: bool) {
-        // Largest ratio of the length of the next step to the length of this step. After a refused step no growth is allowed.
+        // The next step is at most five times as long as this step, or no longer at all if this step was tried before with a larger length and
+        // refused.
         let longest = if self.refused > 0 { 1.0 } else { 5.0 };
         let next = length * (CAUTION * part.powf(-1.0 / ERROR_ORDER)).clamp(LEAST_RATIO, longest);
         self.length = Some(if cut { next.max(self.length.unwrap_or(0.0)) } else { next });

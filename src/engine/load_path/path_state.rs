@@ -184,9 +184,9 @@ impl Node {
         self.stopped.push(contact);
     }
 
-    /// Returns a contact that has stopped sliding at this node, and whose force would leave the friction cone along a tangent if the contact stuck.
-    /// On a straight piece such a contact can neither stick nor slide on: friction would drive its slip instead of opposing it. `None` if there is no
-    /// such contact, on arcs, and while the load turns.
+    /// Returns the index of a contact that has stopped sliding at this node, if the contact force would leave the friction cone along a tangent while
+    /// the contact sticks. On a straight piece such a contact can neither stick nor slide on: friction would drive its slip instead of opposing it.
+    /// `None` if there is no such contact, on arcs, and while the load turns.
     pub(super) fn neither_slides_nor_sticks(
         &self,
         segment: &Segment<'_>,

@@ -20,8 +20,8 @@ use crate::numerics::{Vector, chosen, matrix_of, orthogonal_part, vector_of};
 use crate::object::Problem;
 use crate::prelude::*;
 
-/// Upper limit of the number of coordinates of the bodies, and of the number of touching contacts. Beyond it the motion of rigid bodies is not
-/// computed, since the computation would take too long.
+/// Upper limit of the number of coordinates of the bodies, and of the number of touching contacts. With more of them the motion of rigid bodies is
+/// not computed, since the computation would take too long.
 const MOST_RIGID: usize = 64;
 
 /// The unit motion with which the object starts to move if no contact presses and nothing balances the rate of the load. `rates` is the problem for
@@ -98,7 +98,7 @@ pub(super) fn rigid_motion(rates: &Problem) -> Option<Vector> {
 /// Adds the direction of `motion` to `basis`, an orthonormal basis of the motions that contacts resist, unless it depends linearly on the basis.
 fn resist(basis: &mut Vec<Vector>, motion: &Vector) {
     let rest = orthogonal_part(motion.clone(), basis);
-    // A motion depends linearly on the basis if less than this fraction of its norm remains after its components along the basis are removed.
+    // A motion counts as linearly dependent on the basis if removing its components along the basis leaves less than this fraction of its norm.
     if rest.norm() > 1e-9 * motion.norm() {
         basis.push(rest.normalize());
     }

@@ -96,8 +96,8 @@ impl Slips<'_> {
         let mut high = (end.length, end.values[k], self.slope(k, (&end.at, &end.rates), end.length)?);
         let mut there = high;
         for _ in 0..30 {
-            // If the end of the step is this close to the root of the condition, as a fraction of the step, Heun's method is used. Its error, of
-            // third order in the distance, is then smaller than that of a repeated step.
+            // If the end of the step is within this fraction of its length from the root of the condition, Heun's method moves the end to the root.
+            // The error of this method is of third order in the distance, and then smaller than that of a repeated step.
             let rest = -there.1 / there.2;
             if rest.abs() <= 1e-4 * end.length {
                 return self.moved_to(k, end, rest).zip(Some(k));

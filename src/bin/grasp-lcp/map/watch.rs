@@ -1,4 +1,4 @@
-//! Shows the progress of a sweep over directions, and stops it if it takes too long.
+//! Shows the progress of a sweep, i.e. of the same computation for every direction of a map, and stops the sweep if it takes too long.
 
 use std::io::{self, IsTerminal};
 use std::ops::ControlFlow;
