@@ -1,4 +1,5 @@
-//! The questions of the command line, whose numbers become loads in the plane or in space.
+//! The questions of the command line, whose numbers become loads in the plane or in space. A base load is constant: it acts before the load of a
+//! question grows, and then together with it.
 
 use crate::arguments::{Command, LoadArguments, Numbers};
 use crate::failure::Failure;

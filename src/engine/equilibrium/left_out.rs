@@ -1,5 +1,5 @@
 //! The geometric stiffness, which the theory of small motions neglects. As the object turns, the lever arms of the forces that act already turn with
-//! it.
+//! it. A drive is the spring of a joint or tendon of a hand.
 //!
 //! Let contact i carry the force F_i and move by u_i with the motion q of the object. The energy of the springs has a second derivative in two parts,
 //! the elastic part and `-Σ F_i · ∂²u_i/∂q²`. For a rotation θ and arms r_i of the contacts the second part is `Σ (F·r) |θ|² - (F·θ)(r·θ)`, in the

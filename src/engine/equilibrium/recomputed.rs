@@ -1,5 +1,6 @@
 //! Residuals of an equilibrium, recomputed from the numbers given for grasp, commands and load, not from the solver's matrices. The offset of a
-//! contact is its commanded displacement minus clearance and earlier slip.
+//! contact is its commanded displacement minus clearance and earlier slip. A drive, the spring of a joint or tendon of a hand, is treated like a
+//! contact.
 
 use nalgebra::SVector;
 

@@ -1,5 +1,6 @@
 //! The response of a grasp whose contacts keep their states. It is linear in loads, commands and small changes of the grasp's numbers, such as
-//! stiffnesses. One factorisation serves all of them. In the engine's coordinates moments and rotations refer to the centroid of the contacts.
+//! stiffnesses. One factorisation serves all of them. In the engine's coordinates moments and rotations refer to the centroid of the contacts. An
+//! offset of a finger is its command (a prescribed displacement) minus clearance.
 //!
 //! Each load, command or small change causes forces of all contacts, then of the drives of a hand (springs of joints and tendons), in this order. If
 //! everything sticks, the forces under unit loads are the columns of the influence matrix of the grasp. [`Edges`] are the conditions on the force of

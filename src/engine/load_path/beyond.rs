@@ -1,6 +1,7 @@
 //! Beyond the end of a load path: whether any other equilibrium exists at a slightly larger load factor. A leg is a section of the load program; the
-//! load factor is the fraction of it that is done. The offset of a contact's springs is the command of its finger (a displacement) minus clearance
-//! and accumulated slip.
+//! load factor is the fraction of it that is done. The onset is the first slip or opening. The grasp snaps over if the object moves, at constant
+//! load, to another equilibrium. A fold is a maximum of the load factor. The offset of a contact's springs is the command of its finger (a
+//! displacement) minus clearance and accumulated slip.
 //!
 //! A proof that no equilibrium exists may be a motion: a virtual motion at the end, or another motion that separates the load from all possible
 //! contact forces. In the plane, and in space with polygonal friction cones, every combination of contact states is tried. The load factor is `τ* +

@@ -1,5 +1,5 @@
-//! Free motion of the object after a loss of equilibrium, until the gap of an open contact closes. The apex of a friction cone is zero force. Drives
-//! of joints and tendons are treated like contacts.
+//! Free motion of the object after a loss of equilibrium, until the gap of an open contact closes. The apex of a friction cone is zero force. A jump
+//! is a motion of the object, at constant load, to another equilibrium. Drives of joints and tendons are treated like contacts.
 //!
 //! If nothing resists the motion v with which the object leaves, forces stay constant along v: no spring is stretched further, and friction is
 //! exhausted already. Thus the object is in balance under the load of the loss everywhere along the motion. The motion ends after the displacement δ

@@ -1,5 +1,6 @@
-//! Contacts with static friction, and lower kinetic friction while they slide, along a load path. A leg is a section of the load program. A contact's
-//! state ends where its force reaches an edge or the apex (zero force) of its cone.
+//! Contacts with static friction, and lower kinetic friction while they slide, along a load path. A leg is a section of the load program. A jump is a
+//! motion of the object, at constant load, to another equilibrium. A contact's state ends where its force reaches an edge or the apex (zero force) of
+//! its cone.
 
 use super::event::{Change, Event, PathEnd};
 use super::first_exits::ExitsReached;

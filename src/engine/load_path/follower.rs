@@ -1,6 +1,6 @@
 //! The interface of the two methods that follow a load program: piece by piece (a piece is a part of a leg with fixed contact states), or in steps. A
 //! leg is a section of the load program; at an event contacts change their states. Motions are small as long as rotations, slips and openings stay
-//! below the limits of the settings.
+//! below the limits of the settings. A drive, the spring of a joint or tendon of a hand, is treated like a contact.
 
 use core::fmt::Debug;
 

@@ -11,9 +11,10 @@
 //! ```
 //!
 //! and the slip rates γ_j and λ' are such that the margins `μ F_n - |F_t|` of all sliding contacts stay zero. Thus there is one equation for each
-//! sliding contact, where an [arc](super::arc) has one for each coordinate. In some cases the functions of this file return `None`, and the caller
-//! follows a load path instead. This happens if a contact may slide before the onset, a slip ends, a contact opens, events coincide, or the path may
-//! continue in several ways.
+//! sliding contact, where an [arc](super::arc) has one for each coordinate. Arclength is measured along the curve of the slips, divided by a unit of
+//! slip, and the load factor. The path ends at a fold (a maximum of the load factor) or a corner (no contact states continue it). In some cases the
+//! functions of this file return `None`, and the caller follows a load path instead. This happens if a contact may slide before the onset, a slip
+//! ends, a contact opens, events coincide, or the path may continue in several ways.
 
 use nalgebra::SVector;
 

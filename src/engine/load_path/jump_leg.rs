@@ -1,5 +1,5 @@
 //! A jump at constant load: other contacts take over the force that contacts lose when their friction falls from the static to the kinetic value.
-//! Drives of joints and tendons are treated like contacts.
+//! Drives of joints and tendons are treated like contacts. A free motion is a motion that nothing resists.
 //!
 //! Let a contact j leave its static cone with the force F_j. At the same stretch of its springs, its force on the kinetic cone is F_j'. The
 //! difference F_j - F_j' is first applied as an external force. It is then removed along a separate leg (part of a path), whose load factor τ grows

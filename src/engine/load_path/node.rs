@@ -1,6 +1,7 @@
-//! A node of the load path: the point between two pieces (parts of a leg with fixed contact states), i.e. an event or the start of a leg. For
-//! each contact it stores the edges of its cone on which its force lies (its active set). At a node the rates of forces and motion determine how
-//! the path continues. The load factor is the fraction of the leg that is done; an arc is a piece on which directions of sliding turn.
+//! A node of the load path: the point between two pieces (parts of a leg with fixed contact states), i.e. an event or the start of a leg. For each
+//! contact it stores the edges of its cone on which its force lies (its active set). At a node the solution of the rate problem, the complementarity
+//! problem for the rates of forces and motion, determines how the path continues. The load factor is the fraction of the leg that is done; an arc is
+//! a piece on which directions of sliding turn. A drive, the spring of a joint or tendon of a hand, is treated like a contact.
 
 use nalgebra::{Matrix, SVector};
 
@@ -150,9 +151,10 @@ impl Node {
                 last = Some(decided);
                 continue;
             };
-            // On the round cone the states found so far are accepted, because a direction of sliding turns with the load. On other cones the states
-            // must also solve the rate problem 1e-12 rad beyond the node, so that they hold in the whole range up to `little`. The angle of an event
-            // has an error of about 1e-12 rad: closer to the node, the rate of a load that turns back might have the wrong sign.
+            // On the round cone these states are accepted: they contain directions of sliding, which turn with the load, so that they cannot hold at
+            // two angles. On other cones the states must also solve the rate problem 1e-12 rad beyond the node, so that they hold in the whole range
+            // up to `little`. The angle of an event has an error of about 1e-12 rad: closer to the node, the rate of a load that turns back might
+            // have the wrong sign.
             let rates_beyond = segment.rates(factor + 1e-12 / angle, laws.clone());
             if decided.rates.round
                 || matches!(try_states(&rates_beyond, found.states.clone()), CandidateOutcome::Holds(_))

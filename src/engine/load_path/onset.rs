@@ -1,6 +1,6 @@
 //! The onset, i.e. the load factor or angle at which the first contact stops sticking as a load grows or turns, as an answer for the caller. The
 //! offset of a contact's springs is the command of its finger (a displacement) minus clearance and accumulated slip. A ramp is a load or a command
-//! that grows in proportion to a load factor.
+//! that grows in proportion to a load factor. A drive, the spring of a joint or tendon of a hand, is treated like a contact.
 
 use nalgebra::{SMatrix, SVector};
 

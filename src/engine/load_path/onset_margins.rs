@@ -1,6 +1,7 @@
 //! The margins m (`μ F_n - |F_t|`, N) that vanish at an onset, and the derivatives of the onset's load factor τ. If a change of the data (stiffness,
 //! friction and others) changes a margin by dm, τ changes by `dτ = -dm / m'`. Here m' is the rate of the margin along the ramp. Along a ramp the load
-//! is a base load plus τ times a given load, and commands change in proportion to τ.
+//! is a base load plus τ times a given load, and commands change in proportion to τ. A drive, the spring of a joint or tendon of a hand, is treated
+//! like a contact.
 
 use nalgebra::SVector;
 

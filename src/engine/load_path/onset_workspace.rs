@@ -1,5 +1,5 @@
 //! Memory that the computation of one onset passes on to the computation of the next onset. The base load acts from the start, and the load of the
-//! question grows in addition. Drives of joints and tendons are treated like contacts.
+//! question, times a growing load factor, in addition. Drives of joints and tendons are treated like contacts.
 
 use alloc::sync::Arc;
 

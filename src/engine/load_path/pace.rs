@@ -1,5 +1,6 @@
 //! The choice of step lengths along an arc, a piece of the path on which directions of sliding turn. A leg is a section of the load program; the load
-//! factor is the fraction of it that is done.
+//! factor is the fraction of it that is done. A node is an event or the start of a leg. Arclength is measured along the curve of the twist, divided
+//! by a unit of displacement, and the load factor.
 
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;

@@ -1,6 +1,7 @@
 //! The state of contacts at a node of the load path (an event, or the start of a leg): active sets and slip memory. The active set of a contact
 //! consists of the edges of its cone on which its force lies. Slip memory is the accumulated slip of each contact. A leg is a section of the load
-//! program; the load factor is the fraction of it that is done.
+//! program; the load factor is the fraction of it that is done. A piece is a part of a leg with fixed contact states; an arc is a piece on which
+//! directions of sliding turn. At the apex of its cone a contact force is zero.
 
 use crate::numerics::{IntoList, Vector};
 use nalgebra::{Matrix, SVector};

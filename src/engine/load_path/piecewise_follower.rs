@@ -1,6 +1,8 @@
 //! Follows a load program piece by piece, from event to event, and finds the exact load of each event. With up to some hundreds of contacts this
-//! takes acceptable time. A leg is a part of the program along which load and commands change linearly, or the load turns. A piece is a part of
-//! a leg on which all contacts keep their states; a node is the point between two pieces.
+//! takes acceptable time. A leg is a part of the program along which load and commands change linearly, or the load turns. A piece is a part of a leg
+//! on which all contacts keep their states; a node is the point between two pieces. The load factor is the fraction of the leg that is done. A jump
+//! is a motion of the object, at constant load, to another equilibrium. A drive, the spring of a joint or tendon of a hand, is treated like a
+//! contact.
 //!
 //! While every contact keeps its state, forces and motions are affine in the fraction of the leg. A ratio test gives the next event: the first point
 //! at which a force leaves its friction cone, a gap closes, or a slip reverses. Under a turning load forces and motions are harmonics of the load's

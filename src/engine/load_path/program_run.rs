@@ -1,4 +1,6 @@
-//! The data that every method of following a load program needs: the grasp, the load program with its legs (sections), and the caller's settings.
+//! The data that every method of following a load program needs: the grasp, the load program with its legs (sections), and the caller's settings. The
+//! load factor is the fraction of the present leg that is done. The onset is the first slip or opening under a growing load. A drive, the spring of a
+//! joint or tendon of a hand, is treated like a contact.
 
 use alloc::sync::Arc;
 

@@ -1,4 +1,6 @@
 //! A step along a growing load, and the first event in the step. The unknowns are the load factor and the slips of sliding contacts (see `in_slips`).
+//! Arclength is measured along the curve of the slips, divided by a unit of slip, and the load factor. A margin is the distance of a force from the
+//! edge of its friction cone. The conditions of this file have values that must stay positive along a step; [`GROWS`] lists them.
 
 use super::slip_rates::Slips;
 use super::tolerances::LITTLE_NORMAL_FORCE;
@@ -82,9 +84,10 @@ impl Slips<'_> {
         None
     }
 
-    /// The step that ends where condition `k`, or another condition before it, becomes zero. Also the index of the condition that is zero. `None` if
-    /// thirty trials do not find it. Each trial is a step that ends at the root of a cubic polynomial. This cubic has the values of condition `k`,
-    /// and its derivatives with respect to arclength, at both ends of a bracket. As a rule the first trial is close enough.
+    /// The step that ends where the value of condition `k` becomes zero, or the value of another condition that becomes zero earlier. Also the index
+    /// of that condition. `None` if thirty trials do not find such a step. Each trial is a step that ends at the root of a cubic polynomial. This
+    /// cubic has the values of condition `k`, and its derivatives with respect to arclength, at both ends of a bracket. As a rule the first trial is
+    /// close enough.
     fn located(
         &self,
         from: (&[f64], &[f64]),

@@ -1,4 +1,5 @@
-//! Charts of the friction force of each contact along a load path, as a fraction of its limit. The base load acts before the load grows.
+//! Charts of the friction force of each contact along a load path, as a fraction of its limit. The base load acts from the start; the load of the
+//! question, times a load factor that grows from zero, acts in addition.
 
 use grasp_lcp::ask::Grasp;
 use grasp_lcp::picture::{Chart, chart_of_load, chart_of_program, chart_of_turn, charts_of_cycles};

@@ -1,5 +1,5 @@
 //! The equilibria that pictures show for an answer; the grasp alone if the answer has no equilibrium. The base load acts before the load of the
-//! question grows.
+//! question grows. A drive is the motor or spring of a joint or tendon of a hand.
 
 use grasp_lcp::ask::Grasp;
 use grasp_lcp::equilibrium::{Equilibrium, Outcome};
@@ -260,7 +260,7 @@ fn followed(path: PathAnswer<3>, start: &Wrench<3>, legs: usize, words: Words) -
     states
 }
 
-/// The equilibrium at an event, with the contacts and drives that change their state at this event.
+/// The picture of an event: the equilibrium at the event, with a label that names the contacts and drives that change their state.
 fn changed(event: Event<3>, words: Words) -> ShownState {
     let contacts = event.whole_changes();
     let contacts =

@@ -1,5 +1,5 @@
-//! The question for one direction of a map (at which force in this direction the first contact slips) and its answer. Also the constant load of a
-//! map.
+//! The question for one direction of a map (at which force in this direction the first contact slips) and its answer. Also the base load of a map, a
+//! constant load that acts in addition.
 
 use grasp_lcp::Error;
 use grasp_lcp::load_path::{DepartingContact, Onset, Ramp};
