@@ -252,8 +252,8 @@ impl<'s, 'g> Arc<'s, 'g> {
         turned.then(|| Direction { twist: x * (self.unit / length), factor: factor / length })
     }
 
-    /// The rates of stretch and of force of a contact with the tangent stiffness `tangent`, as the path continues in the direction `direction`. They
-    /// are per unit of arclength, as the rates in `direction` are.
+    /// The rates of stretch and of force of a contact with the tangent stiffness `tangent`, as the path continues in the direction `direction`, per
+    /// unit of arclength.
     pub(super) fn rates(
         &self,
         contact: usize,

@@ -236,15 +236,15 @@ fn is_near(found: &[SVector<f64, 3>], forces: &[SVector<f64, 3>], part: f64) -> 
     found.iter().zip(forces).all(|(f, g)| (f - g).norm() <= near * largest)
 }
 
-/// The unit of distances beyond the end: the change of the load factor that builds up the whole load ([`whole_way`]). If that is nearly zero because
-/// there is no load yet, the unit is 1, the whole leg.
+/// The unit of distances beyond the end: the change of the load factor that builds up the whole load or all commands, see [`whole_way`]. If this
+/// change is nearly zero, because there is no load yet, the unit is 1, the whole leg.
 fn way_beyond(problem: &Problem, rates: &Problem) -> f64 {
     let way = whole_way(problem, rates);
     if way > ZERO_SLACK { way } else { 1.0 }
 }
 
-/// The smaller of two changes of the load factor: the change that would build up the whole present load at its present rate, and the change that
-/// would build up all present offsets of the contact springs at their rates. Zero if it is not finite.
+/// The smaller of two changes of the load factor. One would build up the whole present load at its present rate, the other all present offsets of the
+/// contact springs at their rates. Zero if neither is finite.
 fn whole_way(problem: &Problem, rates: &Problem) -> f64 {
     let total = |offsets: &[SVector<f64, 3>]| summed(offsets, &nalgebra::Matrix::norm);
     let load_way = problem.wrench.norm() / rates.wrench.norm();

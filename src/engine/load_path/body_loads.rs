@@ -63,8 +63,8 @@ impl<const C: usize> Leg<C> {
         self
     }
 
-    /// Returns an error if this leg has a load on a body that does not exist, two loads on one body, a load out of range, or any body load while the
-    /// load of the leg turns.
+    /// Returns an error if this leg has a load on a body that does not exist, two loads on one body, or a load out of range. Also returns an error
+    /// for a body load while the load of the leg turns.
     pub(super) fn check_bodies(&self, grasp: &Engine) -> Result<(), Error> {
         for (k, (name, goal)) in self.bodies.iter().enumerate() {
             let refuse = |fault: &str| Err(Error::Body { name: name.to_string(), fault: fault.to_owned() });

@@ -194,8 +194,8 @@ impl<'g> PiecewiseFollower<'g> {
 
 impl<'g> JumpInProgress<'g> {
     /// Continues the jump after `loss`, a loss of equilibrium on the jump's present leg. If contacts begin to slide with lower kinetic friction,
-    /// starts a new leg along which the friction force that they lose is removed. It then returns true. Otherwise moves the object until a gap
-    /// closes, and returns false.
+    /// starts a new leg, along which the friction force that they lose is removed, and returns true. Otherwise moves the object until a gap closes,
+    /// and returns false.
     ///
     /// # Errors
     /// The loss `loss`, if no gap closes.

@@ -48,8 +48,8 @@ impl PiecewiseFollower<'_> {
         self.locate(point, &start, end, condition)
     }
 
-    /// The index of the condition that becomes zero first, among those violated at the end of a step. Conditions are interpolated linearly between
-    /// the ends of the step. `None` if no condition is violated.
+    /// The index of the condition that is violated first in a step, among those violated at its end. The values of conditions are interpolated
+    /// linearly between the ends of the step. `None` if no condition is violated.
     pub(super) fn first_crossing(start: &[ConditionValue], end: &StepEnd) -> Option<usize> {
         let part = |k: usize| {
             let (from, to) = (start[k].value.max(0.0), end.watches[k].value);

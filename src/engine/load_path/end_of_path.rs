@@ -1,4 +1,4 @@
-//! Determines the kind of an end of a load path from the state at this end. There no rates of forces and motion satisfy the contact laws.
+//! Determines the kind of the end of a load path, from the state at this end, at which no rates of forces and motion satisfy the contact laws.
 
 use super::beyond::{Beyond, EquilibriumEnd, beyond_end, no_rates};
 use super::event::{Loss, LossKind, PathEnd};

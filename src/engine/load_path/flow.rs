@@ -203,8 +203,8 @@ impl<'s, 'g> Flow<'s, 'g> {
         let tangents = self.arc.tangents(frictions.iter().copied());
         let direction = self.arc.direction(&tangents, factor, &self.initial_direction())?;
         let stays = |factor: f64| (factor - goal.factor).abs() <= goal.near;
-        // If the integrated step ends farther than `near` from its goal, friction forces are corrected onto their cones. This correction changes the
-        // load factor, and may bring it within the distance `near` of the goal.
+        // If the integrated step ends farther than `near` from its goal, friction forces are corrected onto their cones. This correction also changes
+        // the load factor, which may then be within the distance `near` of the goal.
         let arrived = if stays(factor) {
             None
         } else {

@@ -51,8 +51,8 @@ impl<const C: usize> Leg<C> {
         Self { torques: LegGoal::To(torques.into_iter().list()), ..self }
     }
 
-    /// Returns an error if the number of torques of this leg is not the number of joints, if a torque is not finite or too large, or if the leg has
-    /// torques while its load turns.
+    /// Returns an error if this leg does not have one torque for each joint, or if a torque is not finite or too large. Also returns an error if the
+    /// leg has torques while its load turns.
     pub(super) fn check_torques(&self, grasp: &Engine) -> Result<(), Error> {
         let (LegGoal::By(torques) | LegGoal::To(torques)) = &self.torques else { return Ok(()) };
         let what = "torques of a leg";

@@ -270,8 +270,8 @@ impl Slips<'_> {
         Some(SlipEnd::Lost(Box::new(loss.leaving(self.grasp, Some(motion)))))
     }
 
-    /// Whether the object comes to rest in another equilibrium under a load factor slightly larger than that of the state `at`. It moves in the
-    /// artificial model of `snapping_over`, in which viscous dampers act at the contacts. `None` for a malformed ramp.
+    /// Whether the object comes to rest in another equilibrium under a load factor slightly larger than that of the state `at`. The object moves in
+    /// the artificial model of `snapping_over`, in which viscous dampers act at the contacts. `None` for a malformed ramp.
     fn snaps_over(&self, at: &[f64], ramp: &Ramp<3>) -> Option<bool> {
         let mut change = Vec::new();
         ramp.offset_changes_into(self.grasp, &mut change).ok()?;

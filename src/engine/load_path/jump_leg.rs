@@ -2,8 +2,8 @@
 //! Drives of joints and tendons are treated like contacts. A free motion is a motion that nothing resists.
 //!
 //! Let a contact j leave its static cone with the force F_j. At the same stretch of its springs, its force on the kinetic cone is F_j'. The
-//! difference F_j - F_j' is first applied as an external force. It is then removed along a separate leg (part of a path), whose load factor τ grows
-//! from 0 to 1, at the same load W and commands. G_i and G_j are the grasp maps:
+//! difference F_j - F_j' is first applied as an external force. This force is then removed along a separate leg (part of a path), whose load factor τ
+//! grows from 0 to 1, at the same load W and commands. G_i and G_j are the grasp maps:
 //!
 //! ```text
 //! Σ G_i F_i + W + (1 - τ) Σ G_j (F_j - F_j') = 0,      τ from 0 to 1
@@ -36,8 +36,8 @@ use crate::search::{Doubt, SearchOutcome, SearchSolution, Settings, settle};
 pub(super) struct JumpInProgress<'g> {
     /// The leg of the jump, along which the external force in place of the lost friction is removed.
     pub(super) leg: PiecewiseFollower<'g>,
-    /// The history of the jump, in three lists: the slip of each contact and drive before the jump; flags, true if the contact or drive has slid in
-    /// the jump so far; and the states of all contacts and drives after each change.
+    /// The history of the jump. It has the slip of each contact and drive before the jump, a flag for each that is true if it has slid in the jump so
+    /// far, and the states of all after each change.
     record: JumpRecord,
     pub(super) changes: Vec<(usize, Change<3>)>,
     /// Indices of contacts and drives whose gaps have closed at the end of a free motion in the jump.

@@ -27,8 +27,8 @@ use crate::search::{
 /// The rate problem at a node, i.e. the complementarity problem for the rates of forces and motion. `settled` is the outcome of the search for its
 /// solution.
 struct NodeRates<'g> {
-    /// The load factor at which the rates of load and commands in `rates` are taken: the load factor of the node or, while the load turns, a slightly
-    /// larger one, because the direction of a turning load changes.
+    /// The load factor at which the rates of load and commands in `rates` are taken. It is the load factor of the node or, while the load turns, a
+    /// slightly larger one, see [`Node::decided`].
     ahead: f64,
     rates: Problem<'g>,
     settled: SearchOutcome,
@@ -58,7 +58,7 @@ pub(super) struct Node {
     pub(super) ahead: f64,
 }
 
-/// The continuation of the path from a node: the beginning of the next piece with rates, the changes of contact states at the node, and the number of
+/// The continuation of the path from a node: the state there with the rates along the next piece, the changes of contact states, and the number of
 /// other ways in which the path could continue.
 pub(super) struct NextPiece {
     pub(super) point: PathPoint,
@@ -182,8 +182,9 @@ impl Node {
             return holds;
         }
         let sliding = rates.yielding();
-        // For a contact with zero force (the apex of its cone) no state is more likely than another. On the round cone such a contact is first tried
-        // open. If that fails, Newton's method starts once with the contact sticking, and once with the contact sliding.
+        // For a contact with zero force (the apex of its cone) no state is more likely than another. On polygonal cones no solution is then guessed.
+        // On the round cone such a contact is first tried open. If that fails, Newton's method starts once with the contact sticking, and once with
+        // the contact sliding.
         let at_the_apex = |i: usize| matches!(rates.laws[i], Law::Cone { .. });
         if any_index(rates.len(), &at_the_apex) {
             if !rates.round {

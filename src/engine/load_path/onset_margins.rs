@@ -42,8 +42,8 @@ pub struct OnsetMargins<'g> {
     margins: Vec<Margin>,
 }
 
-/// The margin of a contact or drive that stops sticking, as a linear function `row·F` of its force F: `μ F_n - h·F_t` with a facet normal h (on
-/// the round cone along F_t), or F_n alone if friction is absent or unlimited.
+/// The margin of a contact or drive that stops sticking, as a linear function `row·F` of its force F. It is `μ F_n - h·F_t` with a facet normal h; on
+/// the round cone h is along F_t. It is F_n alone if friction is absent or unlimited.
 struct Margin {
     leaver: DepartingPart,
     site: usize,

@@ -36,8 +36,8 @@ impl NarrowOrder {
     }
 }
 
-/// The tangent stiffness of the object at a point of a path: a full matrix, or a band matrix whose rows and columns are in the order in which
-/// the stiffness matrix is a narrow band.
+/// The tangent stiffness of the object at a point of a path: a full matrix, or a band matrix. The rows and columns of the band matrix are in the
+/// order `order`, in which the band is narrow.
 #[derive(Debug, Clone)]
 pub(super) enum PathStiffness {
     Whole(Square),
@@ -105,9 +105,10 @@ impl PathStiffness {
         }
     }
 
-    /// Solves the bordered linear system once. Its matrix is the tangent stiffness with the column `cover` (minus the rate of the load, for the load
-    /// factor as unknown), the row `gradient` (transverse to the path) and the corner entry `corner` added. The right-hand side is zero, except for
-    /// `last` in the added row. Returns the twist, and the unknown of the added column; `None` if the matrix is nearly singular.
+    /// Solves the bordered linear system once. Its matrix is the tangent stiffness with the column `cover`, the row `gradient` and the corner entry
+    /// `corner` added. `cover` is minus the rate of the load, since the unknown of this column is the load factor. The row `gradient` keeps the
+    /// solution transverse to the path. The right-hand side is zero, except for `last` in the added row. Returns the twist, and the unknown of the
+    /// added column; `None` if the matrix is nearly singular.
     pub(super) fn solved_once(
         self,
         size: Size,

@@ -55,9 +55,9 @@ impl Slips<'_> {
         Some(SlipStep { length, at, rates: there, error, values })
     }
 
-    /// The step `end` from the state and rates `from`, shortened to end where the first condition of the list (see [`GROWS`]) becomes zero. Also the
-    /// index of that condition. Returns the whole step if no condition becomes zero. `None` if several conditions become zero together, or if the end
-    /// of the shortened step is not found.
+    /// The step `end` from the state and rates `from`, shortened to end where the value of the first condition of the list (see [`GROWS`]) becomes
+    /// zero. Also the index of that condition. Returns the whole step if no value becomes zero. `None` if several values become zero together, or if
+    /// the end of the shortened step is not found.
     pub(super) fn up_to_an_event(
         &self,
         from: (&[f64], &[f64]),
@@ -120,8 +120,8 @@ impl Slips<'_> {
         None
     }
 
-    /// The end of a step, moved by Heun's method to where condition `k` becomes zero, an arclength of about `rest` away. `None` if the iteration
-    /// does not converge.
+    /// The end of a step, moved by Heun's method to where the value of condition `k` becomes zero, an arclength of about `rest` away. `None` if the
+    /// iteration does not converge.
     fn moved_to(&self, k: usize, mut end: SlipStep, mut rest: f64) -> Option<SlipStep> {
         let length = end.length;
         // Newton's method converges quadratically: after three iterations only rounding remains.
@@ -218,8 +218,8 @@ fn between(low: (f64, f64, f64), high: (f64, f64, f64), to: f64) -> f64 {
     low.1 + part * (rise + (1.0 - part) * ((1.0 - part) * before + part * behind))
 }
 
-/// The index of the condition that becomes zero first, among those violated at the end of a step. Conditions are interpolated linearly between the
-/// ends of the step. `None` if no condition is violated.
+/// The index of the condition that is violated first in a step, among those violated at its end. The values of conditions are interpolated linearly
+/// between the ends of the step. `None` if no condition is violated.
 fn first_crossing(start: &[f64], end: &[f64]) -> Option<usize> {
     let part = |k: usize| start[k] / (start[k] - end[k]);
     lowest(&chosen(start.len(), &|k| end[*k] < 0.0), &|k| part(*k)).copied()

@@ -139,8 +139,8 @@ fn shaken(shaken: Shaken<3>) -> ShownState {
     }
 }
 
-/// The answer to `need`: the grasp with the needed value of the sought quantity, such as squeeze. It is in equilibrium under the most demanding load
-/// of the question. If no value was found, the given grasp and the load alone.
+/// The answer to `need`: the grasp with the needed value of the sought quantity, such as squeeze. This grasp is shown in equilibrium under the most
+/// demanding load of the question. If no value was found, the given grasp is shown with the load alone.
 fn needed(grasp: &Grasp<3>, need: &Need<3>, needed: &Needed) -> Result<ShownState, Failure> {
     let (amount, label) = match &needed.amount {
         Amount::Bound { sufficient, .. } => (Some(*sufficient), "with what it needs"),

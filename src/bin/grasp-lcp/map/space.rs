@@ -1,5 +1,5 @@
-//! The map of a grasp in space. For forces of every direction at one point it has the force at first slip, and the force at which the load path ends,
-//! as pictures of the sphere of directions and as a table. The base load acts in addition to this force.
+//! The map of a grasp in space. A force acts at one point. For each of its directions the map has the force at first slip and the force at which the
+//! load path ends. The map is printed as a table, and drawn on the sphere of directions. The base load acts in addition to this force.
 
 use std::time::Duration;
 
@@ -118,8 +118,8 @@ fn load_paths(
         return Ok(None);
     }
     let quick = ask::quick(grasp);
-    // Enumerating combinations of contact states takes most of the time. It is used only in directions in which the end of the load path is unknown
-    // without it.
+    // Enumerating combinations of contact states takes most of the time. They are enumerated only in directions in which the end of the load path is
+    // otherwise unknown.
     Ok(watch.sweep("load paths", ways, MOST_PATH_TIME, |d| {
         let last = limit::last(&quick, base, pull(*d), most)?;
         let known = last.end != LimitEnd::Unknown;
