@@ -2,10 +2,12 @@
 //!
 //! A case has a virtual motion of the object and virtual contact forces. The forces are first made to balance one another exactly, by changing six of
 //! their components. The gain of the case is the work of these forces along the offsets (commanded displacements of fingers minus clearances), minus
-//! the work of the load along the motion. The gain must be positive. In each case the contact law is relaxed to a convex cone: a polygon around an
-//! arc of friction directions replaces the arc. For each generator of this cone, the virtual work divided by the square root of the generator's
-//! energy must not exceed a bound. The bound is the gain divided by [`ESCAPE`] and by the size of the elastic trial state, in which every contact
-//! sticks. An equilibrium that rounding hides from the proof would then be at least [`ESCAPE`] times larger than that state.
+//! the work of the load along the motion. The gain must be positive.
+//!
+//! In each case the contact law is relaxed to a convex cone: a polygon around an arc of friction directions replaces the arc. For each generator of
+//! this cone, the virtual work divided by the square root of the generator's energy must not exceed a bound. The bound is the gain divided by
+//! [`ESCAPE`] and by the size of the elastic trial state, in which every contact sticks. An equilibrium that rounding hides from the proof would then
+//! be at least [`ESCAPE`] times larger than that state.
 
 use core::f64::consts::FRAC_PI_8;
 

@@ -52,7 +52,8 @@ pub(crate) struct CycleRecord {
     pub(crate) dissipated: f64,
     /// The largest contact force, N, at the ends of the pieces of the path (parts of legs with fixed contact states).
     pub(crate) largest: f64,
-    /// The smallest gap of each contact or drive that was open during the whole cycle, m; `None` if it was closed at some time.
+    /// For each contact or drive that was open during the whole cycle, its smallest gap, m, at the ends of the pieces of the path. `None` for one
+    /// that was closed at some time.
     pub(crate) open: Vec<Option<f64>>,
     /// For each contact or drive, its largest gap, m, at the ends of the pieces of the path on which it was open; zero if it was never open.
     pub(crate) largest_gap: Vec<f64>,
@@ -61,8 +62,8 @@ pub(crate) struct CycleRecord {
     /// The largest displacement at a contact point, m, in a jump (a motion under constant load) of the cycle.
     pub(crate) jump_motion: f64,
     pub(crate) step_error: f64,
-    /// Successive lists of the states of all contacts and drives in the cycle. Each list has the index, within the cycle, of the leg on which
-    /// these states occur.
+    /// The states of all contacts and drives in the cycle, one list after the other: a new list begins with a new leg and with each change of states.
+    /// Each list has the index, within the cycle, of its leg.
     states: Vec<(usize, Vec<State>)>,
 }
 

@@ -273,7 +273,8 @@ impl<'s, 'g> Flow<'s, 'g> {
             out.copy_from_slice(&force.as_slice()[1..]);
             let site = &self.arc.sites()[i];
             let dissipated = friction.dot(&site.springs.slip(&stretch, &force));
-            // A slip rate opposite to the friction force counts as rounding up to this size, 1e-13 of the displacement rate of the contact.
+            // The power of friction (friction force times slip rate) may be negative by rounding, up to the friction force times 1e-13 of the
+            // displacement rate of the contact.
             let rounding = 1e-13
                 * friction.norm()
                 * site.span(&(segment.change[i] * direction.factor), &direction.twist);

@@ -165,8 +165,8 @@ impl Node {
         }
         match last {
             Some(last) if !segment.problem.round => last,
-            // On the round cone no angle may be accepted, because the load factor of a node at the end of an arc has the error of the integration
-            // steps. The rates at the node itself are then as good as rates beyond it.
+            // If no angle gives a solution on the round cone, the rates at the node itself are taken. The load factor of a node at the end of an arc
+            // has the error of the integration steps, so that these rates are as good as rates beyond it.
             _ => at(factor),
         }
     }

@@ -202,9 +202,11 @@ impl Node {
     }
 
     /// Called when steps have become too short to advance. A force nearly on the edge of its cone is treated as on the edge, and a nearly closed gap
-    /// as closed. Events nearer to each other than the error of steps thus happen at one point of the path. Each gap that is neglected in this way,
-    /// and each distance of a force from the edge of its cone, is divided by the size of its terms. Returns the largest of these ratios. If nothing
-    /// had to be neglected, returns zero if contacts slide on the round cone and the load does not turn, else `None`.
+    /// as closed. Events nearer to each other than the error of steps thus happen at one point of the path.
+    ///
+    /// Each gap that is neglected in this way, and each distance of a force from the edge of its cone, is divided by the size of its terms. Returns
+    /// the largest of these ratios. If nothing had to be neglected, returns zero if contacts slide on the round cone and the load does not turn, else
+    /// `None`.
     pub(super) fn gather(&mut self, segment: &Segment<'_>, point: &PathPoint) -> Option<f64> {
         let mut apart: Option<f64> = None;
         for (i, (line, gap)) in point.lines.iter().zip(&point.gaps).enumerate() {
