@@ -1,4 +1,5 @@
-//! The questions of the command line, whose numbers become loads in the plane or in space.
+//! The questions of the command line, whose numbers become loads in the plane or in space. A base load is constant: it acts before the load of a
+//! question grows, and then together with it.
 
 use crate::arguments::{Command, LoadArguments, Numbers};
 use crate::failure::Failure;
@@ -40,8 +41,8 @@ pub(crate) fn put(setup: &mut Setup<3>, asked: &Command) -> Result<(), Failure> 
     if setup.questions.is_empty() { Err(Failure::Usage(missing(asked))) } else { Ok(()) }
 }
 
-/// Warns that a constant load (base load or load at the start) of the scene's questions does not act. This is so if `question` of the command line
-/// has no constant load of its own.
+/// Warns if a constant load (base load or load at the start) of the scene's questions does not act in `question`, the question of the command line.
+/// This is so if `question` has no constant load.
 fn warn_of_load_left_out(setup: &Setup<3>, question: &Question<3>) {
     let is_own = setup.questions.iter().any(|own| own.loads().is_some() && own.loads() == question.loads());
     if question.base() == Some(Wrench::ZERO)
@@ -55,8 +56,9 @@ fn warn_of_load_left_out(setup: &Setup<3>, question: &Question<3>) {
     }
 }
 
-/// Warns that multiples of the load multiply the weight of `--mass`, too, if the arm accelerates and nothing but the load presses. A box that stands on
-/// a belt tips over at some acceleration, although a larger multiple of weight and inertia together holds.
+/// Warns if a multiple of the load would multiply the weight of `--mass`, too, although only its inertia may be meant to grow. The warning is given
+/// if the arm accelerates and nothing presses without the load. Example: a box on a belt tips over at some acceleration of the belt. If its weight
+/// grows with its inertia, it may hold at any multiple.
 fn warn_of_weight_that_grows(setup: &Setup<3>, asked: &Command) {
     let load = match asked {
         Command::Hold { load, .. } => load,
@@ -153,7 +155,8 @@ fn missing(asked: &Command) -> String {
     format!("the scene has no such question: say {say}")
 }
 
-/// For the command `hold`: whether the grasp holds the loads of the scene's question `need`, one question for each load. Otherwise an empty list.
+/// For the command `hold` and a scene with a question `need`: the questions whether the grasp holds the loads of this question, one for each load.
+/// Otherwise an empty list.
 fn of_the_scene(setup: &Setup<3>, asked: &Command) -> Vec<Question<3>> {
     let is_needed =
         |question: &Question<3>| matches!(question, Question::Need(_)) && question.loads().is_some();
@@ -167,8 +170,8 @@ fn of_the_scene(setup: &Setup<3>, asked: &Command) -> Vec<Question<3>> {
     }
 }
 
-/// The question whether the object is in equilibrium without any load, if neither the command line nor the scene has a question. `None` unless the
-/// command is `hold` or `solve`.
+/// The question whether the object is in equilibrium without any load. It is asked if neither the command line nor the scene has a question. `None`
+/// unless the command is `hold` or `solve`.
 fn at_rest(asked: &Command) -> Option<Question<3>> {
     let (load, together_with) = (Wrench::ZERO, BTreeMap::new());
     match asked {
@@ -258,8 +261,8 @@ impl OptionVectors {
         Ok(wrench.map(|load| Question::Hold { base, load: load * times, together_with }))
     }
 
-    /// The question `improve`; `None` without any load: the caller then asks the scene's own questions. Without a load, options that need one are an
-    /// error.
+    /// The question `improve`. `None` if the command line gives no load: the caller then asks the scene's own questions. Options that need a load are
+    /// an error without one.
     fn improve(
         self,
         load: &LoadArguments,
@@ -300,7 +303,8 @@ impl OptionVectors {
     /// The constant load of the option `--base`: a force, N, that acts at the point `at`, as a wrench about the origin. Zero without this option.
     pub(crate) fn base(self, base: Option<&Numbers>, at: Option<&Numbers>) -> Result<Wrench, Failure> {
         let Some(base) = base else { return Ok(Wrench::ZERO) };
-        // Without `--at` the base load acts at the origin as at a known point, so that it is asked whether the grasp buckles at rest.
+        // Without `--at` the origin is taken as the point at which the base load acts. Answers then also say whether the grasp buckles under the base
+        // load.
         Ok(Wrench::force_at(base.along_axes(self.axes, "base")?, self.point(at)?))
     }
 

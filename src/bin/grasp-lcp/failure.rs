@@ -9,7 +9,7 @@ pub(crate) enum Failure {
     Files(String),
     /// The command line is wrong, or asks for something that the scene does not have.
     Usage(String),
-    /// The scene is refused.
+    /// The library refuses the scene, for the reason given.
     Scene(String),
     /// Standard output is closed, since its reader has ended.
     Closed,

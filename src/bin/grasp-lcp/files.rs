@@ -67,8 +67,8 @@ pub(crate) fn warn(path: &Path, scene: &Scene) -> Result<(), Failure> {
     warn_of_stiffness(path, scene)
 }
 
-/// Prints the warnings for which no question must be answered. `given` is the scene before the command line has replaced its questions: warnings
-/// about its loads are printed, too.
+/// Prints the warnings that can be given before any question is answered. `given` is the scene before the command line has replaced its questions:
+/// warnings about the loads of these questions are printed, too.
 pub(crate) fn warn_at_once(path: &Path, scene: &Scene, given: Option<&Scene>) -> Result<(), Failure> {
     let mut warnings = scene.warnings_at_once().map_err(|error| refused(path, &error))?;
     let of_loads =

@@ -103,7 +103,7 @@ impl Report<'_> {
             closed.peek().is_some() && closed.all(slides)
         });
         let size = |force: &[f64]| force.iter().fold(0.0, |h: f64, x| h.hypot(*x));
-        // The patch of a soft fingertip that carries less than this force (N) opens instead of sliding.
+        // A soft fingertip that carries less than this force, N, is said to open; otherwise it is said to slide everywhere.
         let weightless = 1e-9 * state.largest_force();
         let does = |pad: &PadAnswer<3>| {
             let presses = size(&pad.wrench.components()[..3]) > weightless;

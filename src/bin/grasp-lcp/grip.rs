@@ -177,7 +177,7 @@ fn start(part: &Part, at: [f64; 3], closing: [f64; 3], opening: Option<f64>) -> 
     std::array::from_fn(|a| rounded(at[a] + back * way[a]))
 }
 
-/// A length to 0.1 µm, or a mass to 0.1 mg, so that the numbers of the file are short.
+/// Rounds a length, m, to 0.1 µm, or a mass, kg, to 0.1 mg, so that the numbers of the scene file are short.
 fn rounded(x: f64) -> f64 {
     (x * 1e7).round() / 1e7 + 0.0
 }

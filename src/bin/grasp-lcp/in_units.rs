@@ -42,7 +42,7 @@ impl Command {
 }
 
 impl Command {
-    /// Sets the point at which forces act to `centre`, if the command line names no point.
+    /// If the command line has a force or mass but no point at which it acts, takes `centre` as this point.
     pub(crate) fn act_at(&mut self, centre: &[f64]) {
         let is_pulled = |load: &LoadArguments| load.force.is_some() || load.mass.is_some();
         let (at, acts) = match self {

@@ -74,8 +74,8 @@ impl OptionVectors {
             about_axes(load.angular_acceleration.as_ref(), "angular-acceleration")?.map(f64::to_radians);
         let about = self.vector(load.about.as_ref(), "about")?;
         let mut body = Payload::new(load.mass.unwrap_or(0.0), self.point(load.at.as_ref())?);
-        // A steady rotation about a principal axis needs no moment, whatever the inertia, which may then be left out. Principal axes are assumed
-        // along the coordinate axes.
+        // A steady rotation about a principal axis of inertia needs no moment, so that the option `--inertia` may be left out. Principal axes are
+        // taken to be along the coordinate axes.
         let is_steady = faster == [0.0; 3] && velocity.iter().filter(|rate| **rate != 0.0).count() < 2;
         if load.inertia.is_some() || is_steady {
             body = body.inertia(about_axes(load.inertia.as_ref(), "inertia")?);

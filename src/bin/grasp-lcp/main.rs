@@ -1,4 +1,5 @@
-//! The program: answers, draws, maps and streams scenes.
+//! The program `grasp-lcp`. It answers the questions of a scene, draws pictures of the answers, maps the force that a grasp holds in every direction,
+//! and answers a stream of scenes, one a line.
 
 #[macro_use]
 mod printing;
@@ -69,11 +70,13 @@ fn asked() -> Result<ExitCode, Failure> {
     }
 }
 
-/// Parses the command line. The scene may come at any place: if parsing fails, the argument that ends in `.json`, or `-`, is moved behind the command.
+/// Parses the command line. The scene may come at any place. If parsing fails, the argument that ends in `.json`, or `-`, is moved behind the
+/// command.
 fn parse_arguments() -> Result<Arguments, clap::Error> {
     let mut words: Vec<_> = std::env::args_os().collect();
     let parsed = Arguments::try_parse_from(&words);
-    // `identify` takes two files, a scene and a table of measurements. If they are swapped, parsing succeeds; the scene is then moved to its place, too.
+    // `identify` takes two files, a scene and a table of measurements. If they are swapped, parsing succeeds; the scene is then moved to its place as
+    // well.
     if parsed.as_ref().is_ok_and(|arguments| !matches!(arguments.command, Command::Identify { .. })) {
         return parsed;
     }

@@ -53,9 +53,9 @@ impl OptionVectors {
         }))
     }
 
-    /// The question for the sought quantity with its loads, and a constant load that acts in addition. For accelerations to and fro the constant load
-    /// is the load of all other options, such as the weight of the mass. For loads of the scene it is the base load of the scene's question. `None`
-    /// if there is no constant load.
+    /// The question for the sought quantity, with its loads, and the constant load that acts in addition; this load is `None` if there is none. For
+    /// accelerations to and fro the constant load is the load of all other options, such as the weight of the mass. For loads of the scene it is the
+    /// base load of the scene's question.
     fn sought(
         self,
         need_arguments: &NeedArguments,
@@ -83,7 +83,7 @@ impl OptionVectors {
                 let length = along.iter().map(|x| x * x).sum::<f64>().sqrt();
                 let there = std::array::from_fn(|a| at[a] + along[a] / length);
                 let force = self.total_force(given)?;
-                // The force acts at a known point, so that buckling is asked, too.
+                // The load is given the point at which it acts, so that the answer takes buckling into account, too.
                 let placed = LoadArguments { at: Some(Numbers(at[..self.axes].to_vec())), ..given.clone() };
                 let load = self.wrench(&placed, beside)?;
                 let per_metre = Wrench::force_at(force, there) + Wrench::force_at(force, at) * -1.0;
@@ -117,7 +117,8 @@ impl OptionVectors {
                     together_with = of_scene.together_with;
                     (of_scene.loads, Some(of_scene.base))
                 }
-                // If neither the command line nor the scene's questions have a load, the question is about the constant loads, if there are any.
+                // If neither the command line nor the scene's questions have a load, only constant loads of the scene act, such as weights of bodies.
+                // Without these an error follows below.
                 None => (Vec::new().into(), None),
             },
             (SoughtQuantity::Load, None) if load.is_none() && need_arguments.any_force.is_none() => {

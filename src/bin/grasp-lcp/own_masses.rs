@@ -1,4 +1,5 @@
-//! Options of the command line that tilt or accelerate bodies whose masses the scene states. A weight that the scene's gravity contains is not added again.
+//! Options of the command line that tilt or accelerate bodies whose masses the scene states. A weight that the scene's gravity contains already is
+//! not added again.
 
 use std::borrow::Cow;
 
@@ -56,8 +57,9 @@ pub(crate) fn refuse_mass(setup: &Setup<3>, mass: Option<f64>) -> Result<(), Fai
     }
 }
 
-/// For `--acceleration` without `--mass`, the load gets the scene's bodies as one accelerated mass without weight. For `--mass` without `--at`, the
-/// load gets the centre of mass of the part as its point, if the scene has a mesh. Other loads are returned unchanged.
+/// Completes a load of the command line by data of the scene. With `--acceleration` and without `--mass`, all bodies of the scene together become the
+/// accelerated mass; their weight is not added. With `--mass` and without `--at`, the load acts at the centre of mass of the part, if the scene has a
+/// mesh. Other loads are returned unchanged.
 pub(crate) fn of_own_masses<'l>(
     load: &'l LoadArguments,
     beside: bool,

@@ -24,7 +24,7 @@ pub(crate) fn line(words: fmt::Arguments<'_>) {
     }
 }
 
-/// Prints a line that is no part of an answer on standard error; a failure to write it is ignored.
+/// Prints a line on standard error, such as a warning, which is no part of an answer. A failure to write this line is ignored.
 pub(crate) fn remark(words: fmt::Arguments<'_>) {
     let _ = writeln!(io::stderr(), "{words}");
 }

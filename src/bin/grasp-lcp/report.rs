@@ -141,7 +141,7 @@ impl Report<'_> {
         }
     }
 
-    /// Prints the distance from the lost equilibrium within which it is proved that no other equilibrium exists.
+    /// Prints how far around the lost equilibrium a proof excludes any other equilibrium, if there is such a proof.
     fn proved(&mut self, verdict: &Verdict<3>) -> io::Result<()> {
         let near = verdict.lost.as_ref().and_then(|lost| lost.nothing_near);
         let digits = self.style.precision();

@@ -17,9 +17,9 @@ pub(crate) struct SceneLoads {
 }
 
 impl SceneLoads {
-    /// The loads of the scene's first question `need`. Without such a question: the loads of all its questions `hold` that have the constant load of
-    /// the first one. Without these, too: the load of its first question `solve`. A warning names the question. `None` without any of these
-    /// questions.
+    /// The loads of the scene's first question `need`. Without such a question: the loads of all questions `hold` with the same constant load as the
+    /// first question `hold`, and without loads on other bodies. Without questions `hold`, too: the load of the first question `solve`. A warning
+    /// says which loads are taken. `None` without any of these questions.
     pub(crate) fn of(setup: &Setup<3>) -> Option<Self> {
         let kinds: [fn(&Question<3>) -> bool; 3] = [
             |question| matches!(question, Question::Need(_)),
@@ -57,7 +57,8 @@ pub(crate) fn first_base<const C: usize>(setup: &Setup<C>) -> Option<(usize, Wre
     bases.zip(1..).find_map(|(base, number)| Some((number, is_loaded(base)?)))
 }
 
-/// The scene's own question `need` for the sought quantity; `None` if the command line gives a load or another option that replaces the question.
+/// The scene's own question `need` for the sought quantity. `None` if the scene has no such question, or if the command line gives a load or another
+/// option that replaces it.
 pub(crate) fn own_need(
     setup: &Setup<3>,
     need_arguments: &NeedArguments,

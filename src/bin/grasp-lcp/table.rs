@@ -1,5 +1,5 @@
 //! An equilibrium as a table: one row for each contact. Points of a soft fingertip share a row, unless `--points` asks for a row for each point. A
-//! caution that the first line of the answer contains is not repeated.
+//! caution that the first line of the answer already contains is not printed again below the table.
 
 use std::io::{self, Write};
 

@@ -23,8 +23,8 @@ impl Engine {
         let forces = equilibrium.site_forces();
         let sizes = forces.iter().map(nalgebra::Matrix::norm);
         let largest = largest_force(self.sites(), &problem.offsets, twist, problem.wrench.norm(), sizes);
-        // A gap, force, slip or margin may be exactly zero if it is below ten times its estimated error. A margin is the distance of a force to the
-        // edge of its cone.
+        // A gap, force, slip or margin below ten times its estimated error may be zero in exact arithmetic. `part` is this limit as a fraction of a
+        // size. A margin is the distance of a force from the edge of its cone.
         let part = |error: f64, size: f64| if size > 0.0 { 10.0 * error / size } else { 0.0 };
         let distinct = |(i, state): (usize, &State)| {
             let at = problem.at(i, &forces[i], twist, largest);

@@ -1,10 +1,13 @@
 //! Checks a case-by-case proof of no equilibrium ([`Refutation`](super::Refutation)) in exact rational arithmetic, on the numbers of the problem.
 //!
-//! The virtual contact forces of each case are first balanced exactly, by changing six of their components. The gain of a case is the work of virtual
-//! forces along the commanded offsets (displacements of fingers minus clearances), minus the work of the load along the virtual motion. In each case
-//! the contact law is relaxed to a convex cone, with polygons around arcs of friction directions. Each generator of this cone is tested. The virtual
-//! work of a generator is divided by the square root of its energy. The quotient must not exceed the gain divided by [`ESCAPE`] and by the size of
-//! the elastic trial state, in which every contact sticks. Rounding could then hide only an equilibrium [`ESCAPE`] times larger than that state.
+//! A case has a virtual motion of the object and virtual contact forces. The forces are first made to balance one another exactly, by changing six of
+//! their components. The gain of the case is the work of these forces along the offsets (commanded displacements of fingers minus clearances), minus
+//! the work of the load along the motion. The gain must be positive.
+//!
+//! In each case the contact law is relaxed to a convex cone: a polygon around an arc of friction directions replaces the arc. For each generator of
+//! this cone, the virtual work divided by the square root of the generator's energy must not exceed a bound. The bound is the gain divided by
+//! [`ESCAPE`] and by the size of the elastic trial state, in which every contact sticks. An equilibrium that rounding hides from the proof would then
+//! be at least [`ESCAPE`] times larger than that state.
 
 use core::f64::consts::FRAC_PI_8;
 
@@ -52,8 +55,9 @@ impl Exact {
         }
     }
 
-    /// Generators, pairs of stretch and force, of the contact law relaxed to its convex hull. `label` restricts the states of the contact in the
-    /// present case. The contact must have finite friction and must be able to open.
+    /// Generators of the convex cone to which the contact law is relaxed. Each is a pair of vectors, N: the stretches of the contact's springs times
+    /// their stiffnesses, and the contact force. `label` restricts the states of the contact in the present case. The contact must have finite
+    /// friction and must be able to open.
     fn generators(&self, label: &Label) -> Vec<[[Rational; 3]; 2]> {
         let zero = Rational::zero;
         let none = || [zero(), zero(), zero()];
@@ -95,7 +99,8 @@ impl Exact {
     }
 }
 
-/// Corners of a polygon around the arc of the unit circle between two angles. It has twice as many sides as in the proof that is checked.
+/// Corners of a polygon around the arc of the unit circle between two angles. The polygon has twice as many sides as the polygon of the proof, so
+/// that it lies closer to the arc.
 fn around(from: f64, to: f64) -> Vec<[Rational; 2]> {
     let pieces = (1..16).find(|k| to - from <= FRAC_PI_8 * f64::from(*k)).unwrap_or(16);
     let half = 0.25 * (to - from) / f64::from(pieces);
@@ -109,7 +114,8 @@ fn around(from: f64, to: f64) -> Vec<[Rational; 2]> {
     (0..2 * pieces).map(corner).chain([point(from, 1.0), point(to, 1.0)]).collect()
 }
 
-/// Virtual contact forces that balance one another exactly: six components of `forces` are changed, by elimination.
+/// Virtual contact forces that balance one another exactly. They differ from `forces` in six components, found by Gaussian elimination of the six
+/// equations of equilibrium.
 fn balanced(contacts: &[Exact], forces: &[SVector<f64, 3>]) -> Vec<Rational> {
     let mut forces: Vec<Rational> = forces.iter().flat_map(|f| f.iter().map(|x| exact(*x))).collect();
     let column = |j: usize| &contacts[j / 3].map[j % 3];
@@ -141,8 +147,9 @@ fn balanced(contacts: &[Exact], forces: &[SVector<f64, 3>]) -> Vec<Rational> {
     forces
 }
 
-/// Whether a virtual motion and virtual contact forces contradict a case in exact arithmetic. In the case, the label of each contact lists the states
-/// that the contact may have. `data` is the size of the elastic trial state, in which every contact sticks: the square root of an energy.
+/// Whether a virtual motion and virtual contact forces contradict a case in exact arithmetic. The case is given by a label for each contact, which
+/// says in which states the contact may be. `data` is the size of the elastic trial state, in which every contact sticks: the square root of an
+/// energy.
 fn is_contradicted(
     problem: &Problem,
     contacts: &[Exact],
@@ -205,8 +212,8 @@ fn every_leaf_is_contradicted_in_exact_arithmetic() -> Result<(), crate::Error> 
         let stored = problem.sites.iter().zip(&state.forces).map(|(s, f)| 2.0 * s.springs.stored(f));
         let data = exact(stored.sum::<f64>().sqrt());
 
-        // The grasp holds a quarter of the load, so that no proof exists for a quarter. The same steps must fail there: this shows that the
-        // check of a proof can fail.
+        // The grasp holds a quarter of the load, so that no proof exists under this smaller load. The steps of the proof must then fail: the test
+        // thus shows that the check can reject a proof.
         let (held, mut weak) = (grasp.problem_under(&(load * 0.25), &settings)?, 0);
         let mut open = vec![problem.each(|local| local.first_label())];
         for step in &steps {

@@ -168,8 +168,8 @@ fn margin(named: &NamedPart, carried: f64, state: DriveState) -> f64 {
     }
 }
 
-/// State of a drive, and the displacement by which it has yielded, m, in the drive's contact frame. While the drive holds, this displacement is only
-/// the earlier slip of a clutch.
+/// State of a drive, and the displacement by which it has yielded: a number in m, as the engine treats the drive like a contact;
+/// `Drive::displacement` converts it to rad for a revolute joint. While the drive holds, this displacement is only the earlier slip of a clutch.
 fn drive_state(
     drive: &Drive,
     state: &State,

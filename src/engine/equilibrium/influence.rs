@@ -11,7 +11,7 @@ use crate::prelude::*;
 /// The influence matrix of a contact: column k is its contact force if a force of 1 N along coordinate axis k acts at a given point.
 pub(crate) struct Influence {
     pub(crate) of: SMatrix<f64, 3, 3>,
-    /// Sum over the three unit forces of the size of the terms that add up to the contact force, N. The rounding error of the matrix `of` is
+    /// The size of the terms that add up to the contact force, N, summed over the three unit forces. The rounding error of the matrix `of` is
     /// proportional to it.
     pub(crate) size: f64,
 }
@@ -76,8 +76,8 @@ mod tests {
         (-influence.gradient_of(&worst).normalize(), margin(&worst))
     }
 
-    /// The thumb's margin (distance of its force to the friction cone) under the computed worst direction equals the computed margin. None of 400
-    /// other directions of the added force leaves a smaller margin.
+    /// If a force is added in the computed worst direction, the thumb has the computed margin (distance of its force from the edge of its friction
+    /// cone). None of 400 other directions of the added force leaves a smaller margin.
     #[test]
     fn no_equilibrium_leaves_less_at_the_thumb() {
         let (grasp, weight, point) =

@@ -15,8 +15,8 @@ impl Engine {
     /// This grasp with commands of its links (joints between bodies) such that each link with a given tension has this tension without load. An
     /// error if the grasp cannot hold that tension. Called after a change of the grasp; without links with a given tension nothing changes.
     pub(crate) fn installed(self) -> Result<Self, Error> {
-        // A factor on the squeeze (all commands) multiplies given tensions as well. If it is zero, the tension is zero, and the link keeps its
-        // command.
+        // The given tension of a link may be zero, because a factor on the squeeze (all commands) multiplies given tensions, too, and may be zero.
+        // Such a link keeps its command.
         let wanted = |contact: &Contact<3>| contact.at_rest.filter(|tension| *tension > 0.0);
         let pressed: Vec<(usize, f64)> =
             self.contacts().iter().enumerate().filter_map(|(i, contact)| Some((i, wanted(contact)?))).list();
@@ -40,8 +40,8 @@ impl Engine {
             // Derivatives are difference quotients: the command of a link is changed by this fraction of its spring's stretch under its tension.
             // The fraction is so small that contacts hardly ever change state. If no contact does, the quotient is exact.
             let nudge = 1e-3;
-            // Column k is the decrease of every missing tension (given tension less present tension) if the command of link k grows. It grows by
-            // `nudge` times the stretch of its spring.
+            // Column k is the decrease of every missing tension (given minus present tension) if the command of link k grows by `nudge` times the
+            // stretch of its spring.
             let mut change = DMatrix::zeros(pressed.len(), pressed.len());
             for (k, (i, force)) in pressed.iter().enumerate() {
                 let mut pulled = commands.clone();
@@ -70,8 +70,8 @@ impl Engine {
         let Outcome::Equilibrium(state) = outcome else {
             return Err(self.not_held(pressed[0].0, pressed[0].1));
         };
-        // If the link is slack, the gap times the stiffness is added to its missing tension (given tension less present tension). The missing
-        // tension thus depends on the command even then.
+        // A slack link has no tension, whatever its command. Its gap times its stiffness is then added to the missing tension (given minus present
+        // tension). The missing tension thus depends on the command, as Newton's method needs.
         let slack = |i: usize| state.contacts[i].gap.max(0.0) * self.contacts()[i].stiffness.series()[0];
         let each = pressed.iter().map(|(i, force)| force - state.contacts[*i].normal_force() + slack(*i));
         Ok(DVector::from_iterator(pressed.len(), each))

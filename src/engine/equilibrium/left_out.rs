@@ -1,5 +1,5 @@
 //! The geometric stiffness, which the theory of small motions neglects. As the object turns, the lever arms of the forces that act already turn with
-//! it.
+//! it. A drive is the spring of a joint or tendon of a hand.
 //!
 //! Let contact i carry the force F_i and move by u_i with the motion q of the object. The energy of the springs has a second derivative in two parts,
 //! the elastic part and `-Σ F_i · ∂²u_i/∂q²`. For a rotation θ and arms r_i of the contacts the second part is `Σ (F·r) |θ|² - (F·θ)(r·θ)`, in the
@@ -25,12 +25,12 @@ use crate::words::LinkKind;
 
 impl Engine {
     /// The geometric stiffness as a fraction of the resistance to the motion q: `Σ [(F·r) |θ|² - (F·θ)(r·θ)] / (ΔW·q)`. The motion q leads from the
-    /// equilibrium `rest` under the base load, which acts before the asked load grows, to the equilibrium `there`, with the same commands. F are the
-    /// contact forces in `rest`, and r their arms about the origin of twists, the centroid of the contacts. θ is the rotation in q, and ΔW the change
-    /// of the load.
+    /// equilibrium `rest` under the base load, which acts before the load of the question grows, to the equilibrium `there`, with the same commands.
+    /// F are the contact forces in `rest`, and r their arms about the origin of twists, the centroid of the contacts. θ is the rotation in q, and ΔW
+    /// the change of the load.
     ///
-    /// The fraction is negative if the forces lower the resistance. The base load itself is left out. `None` if the size of the fraction is at most a
-    /// tenth, or for several bodies, or if `ΔW·q` is not positive.
+    /// The fraction is negative if the forces lower the resistance. The geometric stiffness of the base load is not included. `None` if the size of
+    /// the fraction is at most a tenth, or for several bodies, or if `ΔW·q` is not positive.
     pub(crate) fn left_out_by_small_motions(
         &self,
         rest: &Equilibrium<3>,
@@ -43,7 +43,8 @@ impl Engine {
         let moved = twist.iter().zip(rest.twist.components()).map(|(to, from)| to - from);
         let moved: Vec<f64> = moved.list();
         let kept: f64 = dot(&moved, load.components());
-        // In the plane the only angle is the last one, about the axis out of the plane.
+        // Twists have six components here: translations, then rotations. In the plane only the last rotation, about the axis out of the plane, is not
+        // zero.
         let rotation: SVector<f64, 3> = SVector::from_column_slice(&moved[3..]);
         let left_out = rotation.dot(
             &(self.stiffness_of_arms(0, self.origin(), &forces_in(&rest.contacts), &Wrench::ZERO) * rotation),
@@ -71,9 +72,9 @@ impl Engine {
         Some(-1.0 / unstable)
     }
 
-    /// Whether the grasp buckles under these contact forces, N, in coordinate axes, and this load: `K + K_g` is not positive definite on the
-    /// motions that springs resist, with the stiffness K and the geometric stiffness K_g. Stability along all other motions is decided in
-    /// `hold/driven_on`.
+    /// Whether the grasp buckles under the contact forces `forces`, N, along the coordinate axes, and the load `load`. It buckles if `K + K_g` is not
+    /// positive definite on the motions that springs resist, with the stiffness K and the geometric stiffness K_g. Stability along all other motions
+    /// is decided in `hold/driven_on`.
     pub(crate) fn buckles(
         &self,
         forces: &[SVector<f64, 3>],
@@ -98,9 +99,9 @@ impl Engine {
         self.loads_of_bodies(load).iter().all(|load| load.points_of_action().stiffness().is_some())
     }
 
-    /// The stiffness K if all closed contacts stick, and the geometric stiffness K_g, if `K + t K_g` is not positive definite for t = `times`
-    /// although K is. Motions that springs do not resist cannot buckle here: K gets a stiffness along them as large as its largest eigenvalue,
-    /// and K_g none. `None` also where the grasp is solved with band matrices.
+    /// Two matrices: the stiffness K if all closed contacts stick, and the geometric stiffness K_g. `None` unless K is positive definite, and `K + t
+    /// K_g` is not, for t = `times`. Motions that springs do not resist cannot buckle here: K gets a stiffness along them as large as its largest
+    /// eigenvalue, and K_g none. `None` also if the grasp has so many coordinates that it is solved with band matrices.
     fn unstable_at(
         &self,
         times: f64,

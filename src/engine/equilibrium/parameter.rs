@@ -191,8 +191,9 @@ impl StickingResponse<'_> {
             offsets[contact] = change.tr_mul(motion);
             let alone = self.problem.local(contact).springs.stiffest() * change.norm() * motion.norm();
             let response = self.state(&offsets, &Vector::zeros());
-            // A free motion, which no spring resists, stays free if the forces that it causes in the changed geometry are only rounding. Forces count
-            // as rounding below this fraction of the force that the same displacement of the contact alone would cause in its stiffest spring.
+            // A free motion, which no spring resists, stays free if the forces that it causes in the changed geometry are only rounding. Forces up to
+            // the fraction `NEGLIGIBLE` of `alone` count as rounding: `alone` is the force that the same displacement, at this contact alone, would
+            // cause in its stiffest spring.
             response.is_some_and(|response| {
                 response.forces.iter().all(|force| force.norm() <= NEGLIGIBLE * alone)
             })

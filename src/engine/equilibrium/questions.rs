@@ -71,8 +71,9 @@ impl Engine {
         for found in search.found {
             add(found, FoundBy::Enumeration, &effort);
         }
-        // If the polygon lies inside the round cone, equilibria may be missed: the round cone may allow an equilibrium where the polygon allows
-        // none, or an equilibrium far from every equilibrium on the polygon.
+        // On the round cone, the search above starts Newton's method from equilibria on a polygonal cone. If the polygon lies inside the round cone,
+        // this misses an equilibrium where the polygon allows none, or far from every equilibrium on the polygon. Therefore the search of `solve` is
+        // made, too.
         if problem.round
             && let (SearchOutcome::Found(found, rule), effort) = settle(&problem, settings)
         {

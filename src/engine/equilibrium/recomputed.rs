@@ -1,5 +1,6 @@
 //! Residuals of an equilibrium, recomputed from the numbers given for grasp, commands and load, not from the solver's matrices. The offset of a
-//! contact is its commanded displacement minus clearance and earlier slip.
+//! contact is its commanded displacement minus clearance and earlier slip. A drive, the spring of a joint or tendon of a hand, is treated like a
+//! contact.
 
 use nalgebra::SVector;
 
@@ -37,7 +38,7 @@ struct ContactLaw<'c> {
 }
 
 impl Residuals {
-    /// Raises each residual to the residual of one contact or drive, if the contact's residual is larger. The residual of equilibrium, which all
+    /// Takes one contact or drive into account: raises each residual to that of this contact, if it is larger. The residual of equilibrium, which all
     /// contacts have together, stays unchanged.
     fn note(&mut self, law: &ContactLaw<'_>, site_answer: &SiteAnswer<'_>) {
         let ContactLaw { site, friction, polygon, cone, force_size, displacement_size } = *law;
@@ -196,8 +197,8 @@ impl Engine {
         found.forces.iter().enumerate().skip(self.len()).map(site_answer).list()
     }
 
-    /// The largest imbalance of generalised forces along any coordinate after the object's: at joints, and at other bodies. It is divided by the sum
-    /// of the sizes of its terms, but at least by `force_size`. Zero if the grasp has no such coordinate.
+    /// The largest relative imbalance of generalised forces at joints and at bodies other than the object. Each imbalance is divided by the sum of
+    /// the sizes of its terms, but at least by `force_size`. Zero if the grasp has neither joints nor other bodies.
     fn joints_out_of_balance(
         &self,
         load: &Wrench<3>,
@@ -233,8 +234,9 @@ impl Engine {
         (object..count).map(|k| sums[k].abs() / sizes[k].max(force_size)).fold(0.0, f64::max)
     }
 
-    /// Relative imbalance of the forces and moments on the object. It is divided by the sum of the absolute values of its terms, plus `spring_force`.
-    /// This is the least force that the displacements could cause in a spring. Returns the larger of the ratios for force and for moment.
+    /// Relative imbalance of the forces and moments on the object. The imbalance is divided by the sum of the absolute values of its terms, plus
+    /// `spring_force`, the least force that the displacements could cause in a spring. Returns the larger of the two ratios, for forces and for
+    /// moments.
     fn out_of_balance(&self, load: &Wrench<3>, answers: &[ContactAnswer<3>], spring_force: f64) -> f64 {
         let (space, axes) = (self.space(), self.space().axes());
         let mut sum = load.coordinates(space);

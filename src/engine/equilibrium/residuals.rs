@@ -40,7 +40,7 @@ pub struct Residuals {
 }
 
 impl Residuals {
-    /// Residuals of an answer with a number that is not finite.
+    /// The residuals of an answer that contains NaN or an infinite number: all of them infinite, so that no tolerance accepts the answer.
     pub(super) const NONE_HOLDS: Self = Self {
         equilibrium: f64::INFINITY,
         springs: f64::INFINITY,

@@ -1,9 +1,10 @@
 //! The response of a grasp whose contacts keep their states. It is linear in loads, commands and small changes of the grasp's numbers, such as
-//! stiffnesses. One factorisation serves all of them. In the engine's coordinates moments and rotations refer to the centroid of the contacts.
+//! stiffnesses. One factorisation serves all of them. In the engine's coordinates moments and rotations refer to the centroid of the contacts. An
+//! offset of a finger is its command (a prescribed displacement) minus clearance.
 //!
-//! Each load, command or small change gives forces of all contacts and drives, contacts first and then the drives of a hand. If everything
-//! sticks, the columns of the response to unit loads are the influence matrix of the grasp. [`Edges`] are the conditions under which a contact
-//! keeps its state; they are checked for its force, a sum of such responses.
+//! Each load, command or small change causes forces of all contacts, then of the drives of a hand (springs of joints and tendons), in this order. If
+//! everything sticks, the forces under unit loads are the columns of the influence matrix of the grasp. [`Edges`] are the conditions on the force of
+//! a contact under which the contact keeps its state; callers check them for a sum of such forces.
 
 use alloc::sync::Arc;
 
@@ -27,8 +28,8 @@ pub(crate) struct StickingResponse<'g> {
     pub(crate) edges: Vec<Edges>,
 }
 
-/// Forces of all contacts and drives, N, in `of`. For each force `sizes` has the size of the terms that add up to this force; its rounding error
-/// is proportional to this size.
+/// Forces of all contacts and drives, N, in `of`. For each force `sizes` has the size of the terms that add up to this force, N. The rounding error
+/// of the force is proportional to this size.
 #[derive(Debug, Clone)]
 pub(crate) struct ContactForces {
     pub(crate) of: Vec<SVector<f64, 3>>,
@@ -60,17 +61,18 @@ impl<'g> StickingResponse<'g> {
         Self { grasp, problem, states: states.to_vec(), linear_problem, edges }
     }
 
-    /// The contact law of one contact.
+    /// The contact law, with friction cone and springs, of one contact. For an index after the contacts, the law of a drive.
     pub(crate) fn law(&self, contact: usize) -> LocalLaw<'_> {
         self.problem.local(contact)
     }
 
-    /// The stretch of the normal spring of one contact under a finger offset along the normal and a twist, m; negative where the contact has a gap.
+    /// The stretch, m, of the normal spring of one contact if its finger has the offset `offset` (command minus clearance) along the normal and the
+    /// object the twist `twist`. Negative if the contact has a gap.
     pub(crate) fn normal_stretch(&self, contact: usize, offset: f64, twist: &Vector) -> f64 {
         self.problem.sites[contact].stretch(&unit::<3>(0).scale(offset), twist)[0]
     }
 
-    /// Finger offsets (commands minus clearances) of zero for all contacts and drives.
+    /// A list of zero offsets, one for each contact and drive. An offset is a command minus clearance.
     pub(crate) fn at_rest(&self) -> Vec<SVector<f64, 3>> {
         vec![SVector::zeros(); self.problem.len()]
     }
@@ -110,8 +112,8 @@ impl<'g> StickingResponse<'g> {
 
 impl Engine {
     /// The least margin of all contacts and drives under a load, as a fraction of the largest force. The margin is the distance, N, of a contact
-    /// force from the edge of its friction cone or from opening. It is computed as if every contact stuck, and is negative beyond the edge. `None` if
-    /// the load is invalid, if nothing resists it, or if all forces are zero.
+    /// force from the edge of its friction cone or from opening. The forces are computed as if every contact stuck, so that a margin may be negative:
+    /// the force is then outside its cone. `None` if the load is invalid, if nothing resists it, or if all forces are zero.
     pub(crate) fn sticking_margin(&self, load: &Wrench<3>, settings: &Settings) -> Option<f64> {
         let sticking = StickingResponse::new(self, settings);
         let forces = sticking.forces(&self.offsets(), &self.load_alone(load, "load").ok()?).ok()?.of;

@@ -93,12 +93,13 @@ impl fmt::Display for TooFar {
 }
 
 impl TooFar {
-    /// Whether this is a motion that is too large, not buckling or a leak. Those end what the grasp holds, however small motions are.
+    /// Whether this is a motion beyond its limit. False for buckling and for a leak: these end what the grasp holds, however small motions are.
     pub(crate) fn is_motion(&self) -> bool {
         !matches!(self, Self::Buckles | Self::Leaks { .. })
     }
 
-    /// The reason after a [verb](crate::hold::LossVerb), such as "BUCKLES: ": for buckling the forces that take the resistance, else the caution.
+    /// The text that follows a [verb](crate::hold::LossVerb) such as "BUCKLES: " and explains it. For buckling: that the forces take all that
+    /// resists. Otherwise the text of [`Self::caution`].
     #[must_use]
     pub fn reason(&self, words: Words) -> String {
         if *self == Self::Buckles { TAKES_ALL.to_owned() } else { self.caution(words) }
@@ -197,7 +198,8 @@ impl Engine {
     pub(crate) fn size_of_grasp(&self) -> f64 {
         let first = self.contacts()[0].point;
         let far = largest(self.contacts(), &|contact| contact.point.amax());
-        // All contact points coincide if their distances are below this fraction of their coordinates: the rounding error of their centroid.
+        // Contact points nearer to each other than the fraction `SOLVED_ROUNDING` of their coordinates count as one point, because the rounding error
+        // of their centroid is as large.
         if self.contacts().iter().all(|contact| (contact.point - first).amax() <= SOLVED_ROUNDING * far) {
             return f64::INFINITY;
         }

@@ -1,9 +1,9 @@
 //! The force form (see [`super`]): forces as unknowns, compliances on the diagonal, the twist q of any sign.
 //!
-//! The twist is split into a positive and a negative part, since the unknowns of an LCP are not negative. A spring that both pushes and pulls needs
-//! no complementary pair: its force is linear in q. Such springs are those of bonded contacts, of contacts kept closed, and along tangents with
-//! infinite friction. A bonded contact neither opens nor slides; a contact kept closed may slide. The offset a of a spring is commanded displacement
-//! minus clearance.
+//! The unknowns of a linear complementarity problem (LCP) are not negative, so the twist is split into a positive and a negative part. A spring that
+//! both pushes and pulls needs no complementary pair: its force is linear in q. Such springs are those of bonded contacts, of contacts kept closed,
+//! and along tangents with infinite friction. A bonded contact neither opens nor slides; a contact kept closed may slide. A drive, the spring of a
+//! joint or tendon of a hand, is treated like a contact. The offset a of a spring is commanded displacement minus clearance.
 
 use nalgebra::{DMatrix, DVector, SVector};
 

@@ -75,8 +75,8 @@ pub(crate) fn kinematic_form(
             trial.weighted_stretch(jumps[i].contact, &jumps[i].row, &displacements[j])
         });
     }
-    // Each jump (a gap or slip component) has a row and a column in the matrix of the form. Here both are multiplied by Qᵀ, where Q R factors the
-    // stiffness of the state in which every contact sticks.
+    // Each jump (a gap or slip component) has a row and a column, see [`GapOrSlip`]. Both are multiplied here by the Qᵀ of the head of this file
+    // (K^{1/2}Gᵀ = Q R). The term Q Qᵀ of each matrix entry is then a dot product.
     let mut transformed = Vec::with_capacity(jumps.len());
     for of_contact in jumps.chunk_by(|a, b| a.contact == b.contact) {
         let by_contact = trial.factor_rows(of_contact[0].contact);
@@ -132,8 +132,8 @@ pub(crate) fn kinematic_form_among(
     })
 }
 
-/// Assembles the kinematic form from its jumps (gaps and slips); `None` if a number overflows. `coupling(i, j)` returns by how much a unit of the
-/// unknown of jump j reduces the slack of jump i because the object gives way.
+/// Assembles the kinematic form from its jumps (gaps and slips) and from `state`, the forces and twist of the elastic trial; `None` if a number
+/// overflows. `coupling(i, j)` returns by how much a unit of the unknown of jump j reduces the slack of jump i because the object gives way.
 fn form(
     problem: &Problem,
     state: &ForcesAndTwist,

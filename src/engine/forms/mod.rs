@@ -16,8 +16,8 @@
 //! rows of L: e_n and μ e_n - h_j;   columns of B: e_n and -h_j;   P = K - K Gᵀ (G K Gᵀ)⁻¹ G K
 //! ```
 //!
-//! It is small, and z = 0 solves it exactly when every contact sticks. Its matrix is not copositive (zᵀMz may be negative for some z >= 0). With
-//! strong friction Lemke's method can therefore end on a ray although an equilibrium exists: a ray proves nothing.
+//! The kinematic form is small, and z = 0 solves it exactly when every contact sticks. Its matrix is not copositive (zᵀMz may be negative for some
+//! vector z >= 0). With strong friction Lemke's method can therefore end on a ray although an equilibrium exists: a ray proves nothing.
 //!
 //! **Force form** ([`Grasp::force_form`](crate::ask::Grasp::force_form)). Forces are the unknowns, compliances are on the diagonal of the matrix, and
 //! the twist may have any sign. The friction force is `F_t = Σ β_j d_j` with coefficients β_j >= 0, and λ is the size of the slip:
@@ -29,8 +29,8 @@
 //! q free:   Σ G_i F_i + W = 0
 //! ```
 //!
-//! It is about twice as large as the kinematic form. Its matrix is copositive: Lemke's method finds a solution whenever no motion q with n·u_c >= 0
-//! at all contacts has W·q > 0.
+//! The force form is about twice as large as the kinematic form. Its matrix is copositive: Lemke's method finds a solution whenever no motion q with
+//! n·u_c >= 0 at all contacts has W·q > 0.
 //!
 //! Rows that a contact does not need are left out ([`OmissionReason`]). [`Form`] gives the meaning of each row ([`Row`]) and its units.
 

@@ -47,8 +47,9 @@ pub(super) struct Arc<'s, 'g> {
 /// λ the load factor.
 #[derive(Debug)]
 pub(super) struct ConstantTerms {
-    /// The tangent stiffness of the contacts that do not slide. Along each motion that no spring resists an artificial stiffness is added, since T
-    /// would otherwise be singular. The object then moves along it with its velocity in `Arc::free_motions`, which may be zero.
+    /// The tangent stiffness of the contacts that do not slide. T would be singular if no spring resists some motion, so an artificial stiffness is
+    /// added along each such motion. The right-hand side b is chosen so that the object moves along it with the velocity in `Arc::free_motions`,
+    /// which may be zero.
     stiffness: PathStiffness,
     /// The terms of the right-hand side b of `T q' = b λ'` from commands of contacts that do not slide.
     push: Vector,
@@ -75,7 +76,8 @@ impl Direction {
         Self { twist: Vector::zeros(), factor: 1.0 }
     }
 
-    /// Whether the object does not move in this direction, as in [`Self::forward`]: corrections transverse to it leave the load factor fixed.
+    /// Whether the twist stays constant in this direction, as in [`Self::forward`]. Corrections transverse to this direction leave the load factor
+    /// fixed.
     fn keeps_the_factor(&self) -> bool {
         self.twist.norm_squared() == 0.0
     }
@@ -116,8 +118,8 @@ impl<'s, 'g> Arc<'s, 'g> {
                 if let (Some(a), Some(b)) = (a.whole_columns(), b.whole_columns()) {
                     stiffness.add(&ranges, |i, j| a[0][i] * b[0][j] + a[1][i] * b[1][j] + a[2][i] * b[2][j]);
                 } else {
-                    // The entries of each contact's grasp map are copied first. With several bodies only nonzero rows are stored, and reading an
-                    // entry takes a search.
+                    // With several bodies a grasp map stores only its nonzero rows, and a search is needed to read an entry. The entries of each map
+                    // are therefore copied once before they are multiplied.
                     let rows = [a, b].each(|map| {
                         ranges.clone().each(|range| range.map(|i| by_axis(|k| map[(i, k)])).list())
                     });
@@ -216,7 +218,8 @@ impl<'s, 'g> Arc<'s, 'g> {
     }
 
     /// Multiplies the tangent stiffness `t` by the unit u of displacement. Returns the largest entry of the scaled `t` and of `push`. Also returns
-    /// the twist part of the last row of the bordered matrix, scaled to this size.
+    /// the entries of `across` for the twist, multiplied by this largest entry: the last row of the bordered matrix then has entries of the same size
+    /// as the others.
     fn border(&self, t: &mut PathStiffness, push: &Vector, across: &Direction) -> (f64, Vector) {
         t.scale(self.unit);
         let scale = t.amax().max(push.amax());
@@ -243,13 +246,14 @@ impl<'s, 'g> Arc<'s, 'g> {
         let ends = [along.factor * scale, scale];
         let (x, factor) = t.solved_once(self.segment.grasp.size(), [&-&push, &row], ends)?;
         let length = (x.norm_squared() + factor * factor).sqrt();
-        // Within a step the tangent of the path may turn by sixty degrees at most. After a larger turn the sign of the direction might be wrong.
+        // `1 / length` is the cosine of the angle between the direction and `along`. Between two evaluations the direction may turn by sixty degrees
+        // at most, because after a larger turn its sign might be wrong.
         let turned = 1.0 / length >= 0.5;
         turned.then(|| Direction { twist: x * (self.unit / length), factor: factor / length })
     }
 
-    /// The rates `[stretch, force]` of a contact with the tangent stiffness `tangent` as the path continues in the `direction`, per unit of
-    /// arclength of `direction`.
+    /// The rates of stretch and of force of a contact with the tangent stiffness `tangent`, as the path continues in the direction `direction`, per
+    /// unit of arclength.
     pub(super) fn rates(
         &self,
         contact: usize,
@@ -283,11 +287,11 @@ impl<'s, 'g> Arc<'s, 'g> {
         across: &Direction,
         frictions: &[SVector<f64, 3>],
     ) -> Option<(ForcesAndTwist, f64)> {
-        // An imbalance of forces below this fraction of the sum of all terms is taken as rounding. Rounding grows with the square root of the number
-        // of terms.
+        // An imbalance of forces is taken as rounding if it is below this fraction of the sum of the sizes of load and contact forces. Rounding
+        // errors grow with the square root of their number.
         let rounding = 2e-16 * ((self.sites().len() + 2) as f64).sqrt();
-        // Near the end of a leg the load may vanish as a difference of larger terms, whose rounding errors remain. The imbalance is therefore also
-        // compared with the load at the start of the leg.
+        // Near the end of a leg the load may be a small difference of larger terms, with their rounding errors. The imbalance is therefore compared
+        // with the load at the start of the leg, if that is larger.
         let from = self.segment.trajectory.at(0.0).norm();
         let (mut frictions, mut balanced, mut last) = (frictions.to_vec(), None, f64::INFINITY);
         for round in 0..20 {
@@ -296,8 +300,9 @@ impl<'s, 'g> Arc<'s, 'g> {
             let mut forces = self.forces_at(&twist, factor, &frictions);
             let initial_force: f64 = forces.iter().map(Matrix::norm).sum();
             let mut ended = None;
-            // At most six Newton corrections. A step along the path leaves friction forces off their cones by the error of the step; the first
-            // correction leaves only the square of this error.
+            // At most six Newton corrections. After a step along the path, friction forces are off their cones by the error of the step, and
+            // `forces_at` puts them back, so that forces are out of balance. The first correction restores the balance, and leaves friction forces
+            // off their cones only by the square of that error. The other corrections remove the rest.
             for _ in 0..6 {
                 let load = self.segment.trajectory.at(factor);
                 let Imbalance { left, size: carried } = Imbalance::of(self.sites(), &forces, &load, 0.0);
@@ -318,8 +323,8 @@ impl<'s, 'g> Arc<'s, 'g> {
             }
             let carried = ended?;
             let off = self.off_the_cones(&forces);
-            // Next to a fold (a maximum of the load factor) each correction round leaves a quarter of the distance of friction forces from their
-            // cones. More than four rounds are made only while each leaves less than a third.
+            // Each round of corrections reduces the distance `off` of friction forces from their cones; next to a fold (a maximum of the load factor)
+            // a round leaves a quarter of it. After four rounds the corrections end if a round leaves more than 0.3 of this distance.
             if round > 3 && off > 0.3 * last {
                 break;
             }
@@ -333,8 +338,8 @@ impl<'s, 'g> Arc<'s, 'g> {
                     .zip(&mut frictions)
                     .for_each(|(&i, friction)| *friction = tangential(&forces[i]));
             }
-            // If forces have shrunk to less than a quarter during the correction, the state still has the rounding errors of the larger forces. It is
-            // then corrected again.
+            // If the sum of contact forces has shrunk to less than a quarter during the correction, the state still has the rounding errors of the
+            // larger forces. Such a state is not accepted but corrected again.
             if initial_force <= 4.0 * carried {
                 balanced = Some((ForcesAndTwist { forces, twist: twist.clone() }, factor));
                 if is_on_them {
@@ -384,9 +389,9 @@ impl<'s, 'g> Arc<'s, 'g> {
 }
 
 impl Segment<'_> {
-    /// Forces, twist and their rates at the load factor `factor` of a path. On it contacts have the states `states` and slide on the round cone. The
-    /// forces are those of the equilibrium near `at` with friction forces on their cones, or of `at` itself if no such equilibrium is found. Rates
-    /// are per unit of the load factor. If the twist rate `pushed` is given, the object moves as in `pushed` along motions that no spring resists.
+    /// Forces, twist and their rates, per unit of the load factor, at the load factor `factor`, while contacts keep the states `states` and slide on
+    /// the round cone. The forces are those of the equilibrium near `at` with friction forces on their cones; if no such equilibrium is found, the
+    /// forces of `at`. Along motions that no spring resists, the object moves at the twist rate `pushed`, if it is given.
     pub(super) fn tangent(
         &self,
         states: &[State],
@@ -404,8 +409,8 @@ impl Segment<'_> {
         let arc = Arc::new(self, states, free_motions, (1.0, SharedTerms::default()));
         let largest = self.problem.largest_force(&at.forces, &at.twist).max(self.largest);
         let is_near = |(there, _): &(ForcesAndTwist, f64)| {
-            // After an event only rounding errors are to be corrected. A correction by more than this fraction of the largest force has
-            // therefore led to another equilibrium.
+            // After an event the correction should change forces only by rounding errors. If a force changes by more than this fraction of the
+            // largest force, the correction has led to another equilibrium, which is not used.
             there.forces.iter().zip(&at.forces).all(|(f, g)| (f - g).norm() <= 1e-6 * largest)
         };
         let balanced =

@@ -1,6 +1,7 @@
 //! Beyond the end of a load path: whether any other equilibrium exists at a slightly larger load factor. A leg is a section of the load program; the
-//! load factor is the fraction of it that is done. The offset of a contact's springs is the command of its finger (a displacement) minus clearance
-//! and accumulated slip.
+//! load factor is the fraction of it that is done. The onset is the first slip or opening. The grasp snaps over if the object moves, at constant
+//! load, to another equilibrium. A fold is a maximum of the load factor. The offset of a contact's springs is the command of its finger (a
+//! displacement) minus clearance and accumulated slip.
 //!
 //! A proof that no equilibrium exists may be a motion: a virtual motion at the end, or another motion that separates the load from all possible
 //! contact forces. In the plane, and in space with polygonal friction cones, every combination of contact states is tried. The load factor is `τ* +
@@ -191,17 +192,19 @@ fn from_scratch<'g>(
     forces: &[SVector<f64, 3>],
     settings: &Settings,
 ) -> Beyond<3> {
-    // Whether the search at the distance `part` beyond the end of the path finds another equilibrium. An equilibrium is another one if its forces
-    // differ from those at the end by more than the forces of a continued path could.
+    // Whether the search at the distance `part` beyond the end of the path finds another equilibrium, i.e. one whose forces differ from those at the
+    // end by more than a continuation of the path could cause.
     let another = |part: &f64| match settle(&past(*part), settings).0 {
         SearchOutcome::Found(found, _) => !is_near(&found.forces, forces, *part),
         _ => false,
     };
     let mut why = Doubt::RayWithoutProof;
-    // Distances beyond the end, as changes of the load factor, are tried in turn. At a short distance the search on the round cone may end undecided.
+    // Distances beyond the end, in units of [`way_beyond`], are tried in turn, because at a short distance the search on the round cone may end
+    // undecided.
     for part in [LITTLE_BEYOND, 1e-4, 1e-2] {
         match settle(&past(part), settings).0 {
-            // At a larger distance beyond the end the search would exceed the allowed number of pivots of Lemke's method, too.
+            // The search has exceeded the allowed number of pivots of Lemke's method. At a larger distance it would exceed this number again, so no
+            // further distance is tried.
             SearchOutcome::Undecided(Doubt::OutOfPivots) => {
                 return Beyond::Undecided { doubt: Doubt::OutOfPivots };
             }
@@ -210,8 +213,8 @@ fn from_scratch<'g>(
                 // If the forces found are nearly the forces at the end of the path, the search is repeated at load factors nearer to the end.
                 // Only the forces of another equilibrium stay different from the forces at the end.
                 let is_another = !is_near(&found.forces, forces, part) || [1e-8, 1e-10].iter().any(another);
-                // Forces that do not differ from those at the end may belong to the path's own equilibrium. Because of rounding it may seem to exist
-                // a little beyond the end. The answer is then undecided. Otherwise the grasp can snap over to the equilibrium found.
+                // Forces near those at the end may belong to the equilibrium of the path itself, which because of rounding seems to exist a little
+                // beyond the end. The answer is then undecided. If the forces differ, another equilibrium exists to which the grasp can snap over.
                 return if is_another {
                     Beyond::Snap
                 } else {
@@ -224,23 +227,24 @@ fn from_scratch<'g>(
     Beyond::Undecided { doubt: why }
 }
 
-/// Whether `found` could be the contact forces of a continued path at the distance `part` beyond its end, where they are `forces`. If so, the
-/// force of each contact has changed by at most `√part`, or `√LITTLE_BEYOND` if less, times the largest force.
+/// Whether `found` could be the contact forces of a continued path at the distance `part` beyond its end, where the forces are `forces`. This
+/// requires that the force of each contact differs by at most √ε times the largest force, with the smaller ε of `part` and `LITTLE_BEYOND`. The root
+/// is taken because forces may change with the root of the distance, as next to a fold.
 fn is_near(found: &[SVector<f64, 3>], forces: &[SVector<f64, 3>], part: f64) -> bool {
     let largest = largest(forces, &nalgebra::Matrix::norm);
     let near = part.min(LITTLE_BEYOND).sqrt();
     found.iter().zip(forces).all(|(f, g)| (f - g).norm() <= near * largest)
 }
 
-/// The unit of distances beyond the end: the change of the load factor that builds up the whole load ([`whole_way`]). If that is nearly zero because
-/// there is no load yet, the unit is 1, the whole leg.
+/// The unit of distances beyond the end: the change of the load factor that builds up the whole load or all commands, see [`whole_way`]. If this
+/// change is nearly zero, because there is no load yet, the unit is 1, the whole leg.
 fn way_beyond(problem: &Problem, rates: &Problem) -> f64 {
     let way = whole_way(problem, rates);
     if way > ZERO_SLACK { way } else { 1.0 }
 }
 
-/// The change of the load factor that would build up the whole present load at its present rate. Or, if less, the change that would build up all
-/// present offsets of the contact springs at their rates. Zero if it is not finite.
+/// The smaller of two changes of the load factor. One would build up the whole present load at its present rate, the other all present offsets of the
+/// contact springs at their rates. Zero if neither is finite.
 fn whole_way(problem: &Problem, rates: &Problem) -> f64 {
     let total = |offsets: &[SVector<f64, 3>]| summed(offsets, &nalgebra::Matrix::norm);
     let load_way = problem.wrench.norm() / rates.wrench.norm();

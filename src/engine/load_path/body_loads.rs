@@ -63,8 +63,8 @@ impl<const C: usize> Leg<C> {
         self
     }
 
-    /// Refuses, with an error, loads of this leg on bodies that do not exist, two loads on one body, and loads out of range. Also refuses body loads
-    /// while the load of the leg turns.
+    /// Returns an error if this leg has a load on a body that does not exist, two loads on one body, or a load out of range. Also returns an error
+    /// for a body load while the load of the leg turns.
     pub(super) fn check_bodies(&self, grasp: &Engine) -> Result<(), Error> {
         for (k, (name, goal)) in self.bodies.iter().enumerate() {
             let refuse = |fault: &str| Err(Error::Body { name: name.to_string(), fault: fault.to_owned() });

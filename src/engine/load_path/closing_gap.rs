@@ -1,5 +1,5 @@
-//! Free motion of the object after a loss of equilibrium, until the gap of an open contact closes. The apex of a friction cone is zero force. Drives
-//! of joints and tendons are treated like contacts.
+//! Free motion of the object after a loss of equilibrium, until the gap of an open contact closes. The apex of a friction cone is zero force. A jump
+//! is a motion of the object, at constant load, to another equilibrium. Drives of joints and tendons are treated like contacts.
 //!
 //! If nothing resists the motion v with which the object leaves, forces stay constant along v: no spring is stretched further, and friction is
 //! exhausted already. Thus the object is in balance under the load of the loss everywhere along the motion. The motion ends after the displacement δ
@@ -52,9 +52,9 @@ fn lets_pass(local: &LocalLaw<'_>, force: &SVector<f64, 3>, velocity: &SVector<f
         Resistance::ByFriction(_) if velocity[0].abs() > none => false,
         Resistance::ByFriction(_) if !local.may_slide() || tangential(velocity).norm() <= none => true,
         Resistance::ByFriction(most) => {
-            // `most` is the greatest power with which friction can oppose this velocity, scaled from a unit of normal stretch to the present normal
-            // force. The present friction is at this limit if its direction opposes the slip to within √(2·1e-10) rad. The last term allows for a
-            // normal velocity that is only rounding.
+            // `most` is the greatest power with which friction can oppose this velocity under the present normal force; [`Resistance::ByFriction`]
+            // has it per unit of normal stretch. The tolerance 1e-10 accepts a friction force whose direction is within √(2·1e-10) rad of the
+            // direction against the slip. The last term allows for a normal velocity that is only rounding.
             let most = most * force[0] / local.springs.force_along(0, 1.0);
             -force.dot(velocity) >= most - 1e-10 * most.abs() - force[0] * none
         }
@@ -70,7 +70,8 @@ impl<'g> PiecewiseFollower<'g> {
         let (mut still, mut gaps, mut fastest) = (Vec::new(), Vec::new(), 0.0);
         for (i, site) in grasp.sites().iter().enumerate() {
             let velocity = site.map.tr_mul(motion);
-            // A contact velocity below this fraction of the largest velocity that a motion of the same norm could give the contact is rounding.
+            // A contact velocity up to `none` is rounding: it is a tiny fraction of the largest velocity that any motion of the same norm could give
+            // this contact.
             let none = NEGLIGIBLE * site.span_moved(&SVector::zeros(), motion.norm());
             let (local, force) = (self.segment.problem.local(i), &self.node.at.forces[i]);
             still.push(velocity.norm() <= none);
@@ -193,8 +194,8 @@ impl<'g> PiecewiseFollower<'g> {
 
 impl<'g> JumpInProgress<'g> {
     /// Continues the jump after `loss`, a loss of equilibrium on the jump's present leg. If contacts begin to slide with lower kinetic friction,
-    /// starts a new leg along which the friction force that they lose is removed. It then returns true. Otherwise moves the object until a gap
-    /// closes, and returns false.
+    /// starts a new leg, along which the friction force that they lose is removed, and returns true. Otherwise moves the object until a gap closes,
+    /// and returns false.
     ///
     /// # Errors
     /// The loss `loss`, if no gap closes.

@@ -12,8 +12,8 @@ use crate::numerics::{IntoList, moved};
 use crate::prelude::*;
 
 impl Engine {
-    /// Separates changes of state of contacts from changes of state of drives; a drive is labelled by its joint or tendon. Repeated changes of one
-    /// part are listed once.
+    /// Divides a list of changes of state into changes of contacts and changes of drives. A drive is labelled by its joint or tendon. If two drives
+    /// of one joint or tendon change in the same way, one after the other, the change is listed once.
     pub(super) fn contacts_and_drives(
         &self,
         changes: Vec<(usize, Change<3>)>,

@@ -48,8 +48,8 @@ impl PiecewiseFollower<'_> {
         self.locate(point, &start, end, condition)
     }
 
-    /// The index of the condition that becomes zero first, among those violated at the end of a step. Conditions are interpolated linearly between
-    /// the ends of the step. `None` if no condition is violated.
+    /// The index of the condition that is violated first in a step, among those violated at its end. The values of conditions are interpolated
+    /// linearly between the ends of the step. `None` if no condition is violated.
     pub(super) fn first_crossing(start: &[ConditionValue], end: &StepEnd) -> Option<usize> {
         let part = |k: usize| {
             let (from, to) = (start[k].value.max(0.0), end.watches[k].value);
@@ -70,8 +70,8 @@ impl PiecewiseFollower<'_> {
     ) -> Option<StepEnd> {
         let (mut low, mut high) = ((0.0, start[k].value.max(0.0)), (end.length, end.watches[k].value));
         if start[k].is_met() {
-            // The condition's value is zero, up to rounding, at the start of the step already. It is set to zero there, and becomes negative right
-            // after the start.
+            // The value of the condition is zero up to rounding already at the start of the step. The rounding error is removed; the value becomes
+            // negative right after the start.
             low.1 = 0.0;
         }
         // At most eighty lengths are tried; bisection alone would need about fifty, the bits of a floating-point number.

@@ -25,8 +25,8 @@ pub(crate) struct Cycles<'g> {
     base: Wrench<3>,
     /// Number of cycles followed so far, including a cycle that the path did not finish.
     completed: usize,
-    /// The first motion beyond its limit in the first cycle, or a leak or buckling in any cycle. In the first cycle it is found wherever it
-    /// occurs, in later cycles only at their ends.
+    /// The reason why the theory of small motions ceases to apply: in the first cycle, the first motion beyond its limit, leak of a suction cup, or
+    /// buckling, wherever it occurs. In later cycles only buckling at the end of a cycle is stored here.
     too_far: Option<TooFar>,
 }
 
@@ -52,7 +52,8 @@ pub(crate) struct CycleRecord {
     pub(crate) dissipated: f64,
     /// The largest contact force, N, at the ends of the pieces of the path (parts of legs with fixed contact states).
     pub(crate) largest: f64,
-    /// The smallest gap of each contact or drive that was open during the whole cycle, m; `None` if it was closed at some time.
+    /// For each contact or drive that was open during the whole cycle, its smallest gap, m, at the ends of the pieces of the path. `None` for one
+    /// that was closed at some time.
     pub(crate) open: Vec<Option<f64>>,
     /// For each contact or drive, its largest gap, m, at the ends of the pieces of the path on which it was open; zero if it was never open.
     pub(crate) largest_gap: Vec<f64>,
@@ -61,8 +62,8 @@ pub(crate) struct CycleRecord {
     /// The largest displacement at a contact point, m, in a jump (a motion under constant load) of the cycle.
     pub(crate) jump_motion: f64,
     pub(crate) step_error: f64,
-    /// Successive lists of the states of all contacts and drives in the cycle. Each list has the index, within the cycle, of the leg on which
-    /// these states occur.
+    /// The states of all contacts and drives in the cycle, one list after the other: a new list begins with a new leg and with each change of states.
+    /// Each list has the index, within the cycle, of its leg.
     states: Vec<(usize, Vec<State>)>,
 }
 
@@ -95,7 +96,7 @@ fn are_alike(a: &[State], b: &[State]) -> bool {
 }
 
 impl<'g> Cycles<'g> {
-    /// The cycle `legs` before it is followed for the first time, at the equilibrium under `base`, the load at the beginning of the cycle.
+    /// The path along the cycle `legs` before its first cycle: it is at the equilibrium under `base`, the load at the beginning of the cycle.
     ///
     /// # Errors
     /// As for [`Grasp::follow`](crate::ask::Grasp::follow), and [`Error::NotClosed`] for legs that do not lead back to their beginning.
@@ -105,7 +106,8 @@ impl<'g> Cycles<'g> {
         settings: &Settings,
     ) -> Result<Self, Error> {
         let path = Following::start(grasp, (base, legs), settings, PiecewiseFollower::at_start)?;
-        // A cycle of legs is closed if it ends with its initial loads and commands. They may differ by this fraction of the largest along it.
+        // A cycle of legs is closed if it ends with its initial loads and commands, up to the fraction `SOLVED_ROUNDING` of their largest values
+        // along the cycle.
         path.run.program.check_closed(SOLVED_ROUNDING)?;
         Ok(Self { path, legs: legs.to_vec(), base: *base, completed: 0, too_far: None })
     }
@@ -152,7 +154,8 @@ impl<'g> Cycles<'g> {
         self.path.end().filter(|end| !matches!(end, PathEnd::Completed))
     }
 
-    /// The first motion beyond its limit on the path so far, a leak, or buckling; `None` without any of these.
+    /// The reason why the theory of small motions no longer applies on the path so far: a motion beyond its limit, a leak of a suction cup, or
+    /// buckling. `None` if it still applies.
     pub(crate) fn too_far(&self) -> Option<TooFar> {
         self.too_far.clone().or_else(|| Some(self.path.end_of_small_motions()?.what.clone()))
     }
@@ -175,14 +178,15 @@ impl<'g> Cycles<'g> {
             self.path.continue_with(&self.legs).ok()?;
         }
         self.completed += 1;
-        // The last piece of the previous cycle is still stored, since the present state is computed from it. The energies of that piece are not
-        // added to this cycle.
+        // The list `behind` still has the last piece of the previous cycle, from which the present state is computed. The first `before` pieces are
+        // therefore not counted in this cycle.
         let before = self.path.follower.as_ref().map_or(0, |follower| follower.behind.len());
         while self.path.next().is_some() {}
         if self.completed == 1 {
             self.too_far = end_of_theory(&self.path, self.path.end_of_small_motions()).map(|end| end.what);
         } else if self.too_far.is_none() {
-            // Slips change the contact forces from cycle to cycle, so that the grasp may buckle in a later cycle.
+            // Slips change the contact forces from cycle to cycle, so that the grasp may buckle in a later cycle. This is checked at the end of each
+            // cycle.
             let state = self.path.state();
             self.too_far = state.and_then(|state| state.too_far).filter(|far| *far == TooFar::Buckles);
         }

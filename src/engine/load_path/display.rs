@@ -1,4 +1,5 @@
-//! Onsets and ends of paths in words, for a terminal. An onset is the first slip or opening as a load grows.
+//! Texts for a terminal: onsets, changes of contact states, and the situation beyond the end of a path. An onset is the first slip or opening as a
+//! load grows; the load factor says how far the load has grown.
 
 use core::fmt;
 

@@ -1,4 +1,4 @@
-//! Determines the kind of an end of a load path from the state at this end. There no rates of forces and motion satisfy the contact laws.
+//! Determines the kind of the end of a load path, from the state at this end, at which no rates of forces and motion satisfy the contact laws.
 
 use super::beyond::{Beyond, EquilibriumEnd, beyond_end, no_rates};
 use super::event::{Loss, LossKind, PathEnd};
@@ -10,8 +10,8 @@ use crate::object::{LinearProblem, Problem};
 use crate::prelude::*;
 use crate::search::{SearchCounts, SearchOutcome, Settings};
 
-/// The end of a path. There the search for rates of forces and motion, with the outcome `settled`, found none that satisfy the contact laws. Returns
-/// `loss`, completed by its kind and by the motion with which the object leaves, or an undecided end.
+/// The end of a path at a point where no rates of forces and motion satisfy the contact laws, or none were found. `settled` is the outcome of the
+/// search for such rates. Returns `loss`, completed by its kind and by the motion with which the object leaves, or an undecided end.
 ///
 /// The kind is `GivesWay` if nothing resists some motion. Otherwise the kind is `Corner`: no combination of states of the contacts on the edge of
 /// their cones admits rates. If the search was undecided, the end is a corner only if a proof excludes rates, or excludes an equilibrium just beyond.
@@ -53,16 +53,16 @@ pub(super) fn end_of_path(
 /// Two unit motions at a loss of equilibrium, computed with the contact states `states`. The first is the motion with which the object leaves,
 /// the second a virtual motion that proves the loss. `None` if nothing moves or no motion can be determined.
 ///
-/// The object leaves by a motion that changes no contact force, and along which the load does work. The virtual motion is a motion along which
-/// no contact force of these states does work. Because of friction the two motions differ: for a block that slides to the right on a floor, the
-/// virtual motion also points upwards, at a right angle to the contact force. If rates exist in these states, both motions are the normalised
-/// twist rate. It is reversed if the slip, summed over contacts, would be opposite to the friction forces.
+/// The object leaves by a motion that changes no contact force, and along which the load does work. The virtual motion is a motion along which no
+/// contact force of these states does work. Because of friction the two motions differ: for a block that slides to the right on a floor, the virtual
+/// motion also points upwards, at a right angle to the contact force. If rates exist in these states, both motions are the normalised twist rate.
+/// This twist rate is reversed if the slips in it, summed over contacts, would be opposite to the friction forces.
 pub(super) fn leaving_motions(rates: &Problem, load: &Vector, states: &[State]) -> Option<[Vector; 2]> {
     let linear_problem = LinearProblem::new(rates, states);
     let solved = match linear_problem.solve(rates.sites, &rates.offsets, &rates.wrench) {
         Err(unbalanced) => {
-            // If friction is exhausted everywhere along some motions, no spring resists them. Of several such motions, the one along which the
-            // rate of the load does the most work is taken. If only commands change, the load is used instead of its rate.
+            // If friction is at its limit at all contacts, no spring may resist some motions. Of several such unit motions, the one along which the
+            // rate of the load does the most work is taken. If only commands change, the load itself takes the place of its rate.
             let along = |motions: &[Vector], wrench: &Vector| {
                 let v = motions.iter().fold(Vector::zeros(), |sum, v| sum + v * v.dot(wrench));
                 (v.norm() > 0.0).then(|| v.normalize())

@@ -12,8 +12,8 @@ use crate::numerics::tolerances::NEGLIGIBLE;
 impl<const C: usize> LoadPath<'_, C> {
     /// The point, on the part of the path followed so far, from which on the answers say little about the object. There a motion is no longer small,
     /// a suction cup leaks ([`Self::end_of_small_motions`]), or the grasp [buckles](TooFar::Buckles). Buckling is checked at rest. If the points of
-    /// action of the load are known, it is also checked at the end of each leg and of the path. The point at which it begins is then found to nine
-    /// digits.
+    /// action of the load are known, it is also checked at the end of each leg and of the path. The point at which buckling begins is then found to
+    /// nine digits.
     #[must_use]
     pub fn end_of_theory(&self) -> Option<EndOfSmallMotions> {
         self.end_of_theory_before(self.end_of_small_motions())
@@ -73,6 +73,6 @@ fn buckling<const C: usize>(path: &dyn AnyPath<C, Event<C>>, end: (usize, f64)) 
     Some(EndOfSmallMotions { leg, fraction: from, what: TooFar::Buckles })
 }
 
-/// Number of parts into which a leg with a turning load is divided; buckling is checked at the end of each part. If smaller, a range of angles
-/// in which the grasp buckles is missed; if larger, answers about turning loads take longer.
+/// Number of parts into which a leg with a turning load is divided; buckling is checked at the end of each part. With fewer parts, a range of angles
+/// in which the grasp buckles could be missed; with more parts, answers about turning loads take longer.
 const PARTS_OF_A_TURN: u32 = 36;

@@ -103,8 +103,8 @@ impl LegEnergy {
         }
     }
 
-    /// Adds the energies of a piece of the path along which the load turns. On it forces and motions are harmonic functions of the load's angle.
-    /// `step` is the change of the load factor.
+    /// Adds the energies of a piece of the path along which the load turns, so that forces and motions are harmonic functions of the load's angle.
+    /// `step` is the change of the load factor along the piece.
     fn add_turned(&mut self, segment: &Segment, states: &[State], turned: &TurningState, step: f64) {
         let angle = turned.angle * step;
         for k in 0..segment.grasp.size().count() {

@@ -1,6 +1,7 @@
 //! Events of a load path, at which contacts change their states, and the end of a path. A leg is a section of the load program. A continuation is a
-//! choice of contact states with which the path goes on; one event may allow several, from which the path takes one. In the engine's coordinates
-//! moments and rotations refer to the centroid of the contacts.
+//! choice of contact states with which the path goes on; one event may allow several, from which the path takes one. A drive is the spring of a joint
+//! or tendon of a hand, with the motor or clutch behind it. A jump is a motion of the object, at constant load, to another equilibrium. In the
+//! engine's coordinates moments and rotations refer to the centroid of the contacts.
 
 use nalgebra::SVector;
 

@@ -1,5 +1,6 @@
-//! Contacts with static friction, and lower kinetic friction while they slide, along a load path. A leg is a section of the load program. A contact's
-//! state ends where its force reaches an edge or the apex (zero force) of its cone.
+//! Contacts with static friction, and lower kinetic friction while they slide, along a load path. A leg is a section of the load program. A jump is a
+//! motion of the object, at constant load, to another equilibrium. A contact's state ends where its force reaches an edge or the apex (zero force) of
+//! its cone.
 
 use super::event::{Change, Event, PathEnd};
 use super::first_exits::ExitsReached;
@@ -13,10 +14,9 @@ use crate::numerics::{IntoList, chosen, mapped, moved, picked};
 use crate::prelude::*;
 
 impl<'g> PiecewiseFollower<'g> {
-    /// Begins to store the present friction cone of every contact, if some contact has kinetic friction below its static friction. Contacts that
-    /// slide at the start get kinetic friction. This may cause a jump (motion at constant load to another equilibrium), which the path then
-    /// reports as its first event. Changes nothing if the cones are stored already. The error is the end of the path, if the jump leads to no
-    /// equilibrium.
+    /// If some contact has kinetic friction below its static friction, stores the present friction cone of every contact from here on. Contacts that
+    /// slide at the start get kinetic friction. This may cause a jump (motion at constant load to another equilibrium), which the path reports as its
+    /// first event. Changes nothing if the cones are stored already. The error is the end of the path, if the jump leads to no equilibrium.
     pub(super) fn with_falling_friction(mut self, run: &ProgramRun<'g>) -> Result<Self, PathEnd<3>> {
         let grasp = run.grasp;
         if self.friction_falls() || grasp.weaker_once_they_slide().next().is_none() {
@@ -66,8 +66,8 @@ impl<'g> PiecewiseFollower<'g> {
         }
     }
 
-    /// Whether one of the contacts in `reached`, whose present states end here, has kinetic friction and has almost lost its contact force. As
-    /// the force of such a contact decreases to zero, it alternately sticks and slips infinitely often, which steps cannot follow.
+    /// Whether some contact in `reached` (the contacts whose present states end here) has kinetic friction and almost no contact force left. As the
+    /// force of such a contact decreases to zero, it alternately sticks and slips infinitely often, which steps cannot follow.
     pub(super) fn runs_out(&self, reached: &ExitsReached) -> bool {
         let largest = self.segment.largest;
         let is_weaker = |i: usize| self.segment.problem.sites[i].kinetic.is_some();
@@ -75,8 +75,8 @@ impl<'g> PiecewiseFollower<'g> {
         reached.iter().any(|(i, _)| is_weaker(*i) && self.node.at.forces[*i].norm() <= NEGLIGIBLE * largest)
     }
 
-    /// Sets almost vanishing forces of the contacts in `reached`, whose present states end here, to zero (the apex of the cone). Adds the ratio
-    /// of each such force to the largest force to the step error.
+    /// Puts contacts in `reached` (the contacts whose present states end here) at the apex of their cones, as if they had no force, if almost no
+    /// force is left. The neglected force, divided by the largest force, is added to the step error.
     pub(super) fn put_at_apex(&mut self, reached: &ExitsReached) {
         let largest = self.segment.largest;
         for (i, _) in reached {
@@ -89,8 +89,8 @@ impl<'g> PiecewiseFollower<'g> {
         self.stalls = 0;
     }
 
-    /// A leg along which neither load nor commands change represents passing time: contacts that slide with kinetic friction come to rest.
-    /// Returns their changes to sticking; empty on every other leg.
+    /// A leg along which neither load nor commands change stands for a pause, in which contacts that slide with kinetic friction come to rest: they
+    /// stick, with static friction. Returns their changes to sticking; empty on every other leg.
     pub(super) fn pause(&mut self) -> Vec<(usize, Change<3>)> {
         let segment = &self.segment;
         let is_still = matches!(&segment.trajectory, Trajectory::Straight { rate, .. } if rate.norm() == 0.0)

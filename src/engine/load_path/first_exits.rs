@@ -8,8 +8,8 @@ use crate::prelude::*;
 /// closing gap.
 pub(super) type ExitsReached = Vec<(usize, Vec<Exit>)>;
 
-/// The first point along a piece of the path at which the present state of a contact ends. Also the edges of cones that forces touch before this
-/// point.
+/// The first point along a piece of the path at which the present state of a contact ends. Also, while the load turns, the points before it at which
+/// a force touches the edge of its cone without crossing it.
 pub(super) struct FirstExits {
     /// The least step, a change of the load factor, at which the present state of a contact ends, with all contacts whose states end there. `None` if
     /// no state ends.

@@ -1,6 +1,6 @@
 //! The onset (first slip or opening) in a simple case, which is the most common. Everything clearly sticks under the base load, and the force of one
-//! contact leaves its friction cone before all others. The base load acts before the asked load grows. A ramp is a load that grows in proportion to a
-//! load factor; a turn is a load that turns by an angle.
+//! contact leaves its friction cone before all others. The base load acts from the start, and the load of the question grows in addition. A ramp is a
+//! load that grows in proportion to a load factor; a turn is a load that turns by an angle.
 //!
 //! This case is cheap: one factorisation, solved for the base load and for its change, and a ratio test. One more solve at the onset makes the last
 //! digits of its load factor exact. [`super::sticking_path`] handles all other cases.
@@ -213,11 +213,12 @@ fn first_exit(
         }
     }
     first.filter(|FirstContact { exit, .. }| {
-        // The second exit of a force from its friction cone must come clearly after the first: by more than the fraction `NEGLIGIBLE` of the first
-        // load factor.
+        // The next exit, of this or of another contact, must come clearly later: its load factor exceeds that of the first exit by more than the
+        // fraction `NEGLIGIBLE`.
         let alone =
             next - exit.step > NEGLIGIBLE * exit.step && exit.uncertainty <= LARGEST_CORRECTION * exit.step;
-        // Forces may grow by at most this factor up to the onset. If they would grow more, their computed rates may be only rounding.
+        // If forces grow to more than a million times their size under the base load, their computed rates may be only rounding. Such a case is left
+        // to `sticking_path`.
         alone && exit.step * fastest <= 1e6 * largest
     })
 }

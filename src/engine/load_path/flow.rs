@@ -70,8 +70,7 @@ impl StepGoal {
     }
 }
 
-/// The differential equation of an arc, on which contacts keep their states. It starts at the point `point` of the path, with the load factor
-/// `from`.
+/// The differential equation of an arc, on which contacts keep their states, with its initial point `point` on the path, at the load factor `from`.
 pub(super) struct Flow<'s, 'g> {
     arc: Arc<'s, 'g>,
     from: f64,
@@ -110,7 +109,7 @@ impl FlowStep {
 }
 
 impl<'s, 'g> Flow<'s, 'g> {
-    /// The differential equation of an arc on which contacts keep the states `states`. It starts at the point `point` of the path, at the load factor
+    /// The differential equation of an arc on which contacts keep the states `states`, with its initial point `point` on the path, at the load factor
     /// `from`. Arclength is measured along the curve (q/`unit`, λ), with the twist q and the load factor λ.
     pub(super) fn new(
         segment: &'s Segment<'g>,
@@ -130,7 +129,8 @@ impl<'s, 'g> Flow<'s, 'g> {
             span = span.max(site.span(a, &point.twist));
         }
         let sizes = [force, span];
-        // The object keeps its present velocity along motions that no spring resists, because no force changes this velocity.
+        // Along motions that no spring resists, the balance of forces does not determine the velocity of the object. The object keeps its present
+        // velocity along them.
         let pushed = |v: &Vector| {
             let rate = v.dot(&point.twist_rate);
             // A velocity of the object along a free motion is rounding below this fraction of the norm of the twist rate.
@@ -175,8 +175,7 @@ impl<'s, 'g> Flow<'s, 'g> {
     }
 
     /// Makes a step of the arclength `length`. If the load factor at its end is near enough to the goal, the step is extended to end there. `None` if
-    /// the integration does not converge, or the correction that puts friction forces back onto their cones. `None` also if the path has no unique
-    /// direction.
+    /// the integration does not converge, if friction forces cannot be put back onto their cones, or if the path has no unique direction.
     pub(super) fn step(&self, length: f64, goal: StepGoal, rule: Rule) -> Option<FlowStep> {
         let mut backwards = false;
         let mut rate = |y: &[f64], out: &mut [f64]| self.rate(y, out).map(|back| backwards |= back);
@@ -204,8 +203,8 @@ impl<'s, 'g> Flow<'s, 'g> {
         let tangents = self.arc.tangents(frictions.iter().copied());
         let direction = self.arc.direction(&tangents, factor, &self.initial_direction())?;
         let stays = |factor: f64| (factor - goal.factor).abs() <= goal.near;
-        // The integrated step may end farther than the distance `near` from its goal. The correction of friction forces onto their cones may still
-        // bring it inside.
+        // If the integrated step ends farther than `near` from its goal, friction forces are corrected onto their cones. This correction also changes
+        // the load factor, which may then be within the distance `near` of the goal.
         let arrived = if stays(factor) {
             None
         } else {
@@ -274,7 +273,8 @@ impl<'s, 'g> Flow<'s, 'g> {
             out.copy_from_slice(&force.as_slice()[1..]);
             let site = &self.arc.sites()[i];
             let dissipated = friction.dot(&site.springs.slip(&stretch, &force));
-            // A slip rate against the friction force is rounding up to this fraction of the displacement rate of the contact.
+            // The power of friction (friction force times slip rate) may be negative by rounding, up to the friction force times 1e-13 of the
+            // displacement rate of the contact.
             let rounding = 1e-13
                 * friction.norm()
                 * site.span(&(segment.change[i] * direction.factor), &direction.twist);
@@ -354,7 +354,7 @@ impl<'s, 'g> Flow<'s, 'g> {
             if !(length > low && length < high) {
                 length = 0.5 * (low + high);
             }
-            // After many trials a step may end farther from the goal and still be extended to it.
+            // After many trials the distance from the goal within which a step is extended to the goal becomes larger, see [`StepGoal::after`].
             let goal_here = StepGoal::after(goal, trial);
             // The allowed error of an implicit rule is multiplied by these factors in turn, since rounding may prevent smaller errors.
             let mut rules = [1.0, 10.0, 100.0, 1000.0].into_iter().map(|times| rule.with_larger_error(times));

@@ -1,6 +1,6 @@
 //! The interface of the two methods that follow a load program: piece by piece (a piece is a part of a leg with fixed contact states), or in steps. A
 //! leg is a section of the load program; at an event contacts change their states. Motions are small as long as rotations, slips and openings stay
-//! below the limits of the settings.
+//! below the limits of the settings. A drive, the spring of a joint or tendon of a hand, is treated like a contact.
 
 use core::fmt::Debug;
 
@@ -69,7 +69,7 @@ pub(crate) trait Follower<'g>: Debug {
     fn edge(&self, run: &ProgramRun<'g>) -> StateAtEdge<'g>;
 
     /// The situation beyond the end of the path, if the path ended in a jump: friction fell to its kinetic value at constant load, and no equilibrium
-    /// was found. Otherwise `None`, as always from a follower without kinetic friction.
+    /// was found. Otherwise `None`. A follower that does not treat kinetic friction always returns `None`.
     fn beyond_a_jump(&self, _settings: &Settings) -> Option<Beyond<3>> {
         None
     }
@@ -109,7 +109,7 @@ pub(crate) trait Follower<'g>: Debug {
     }
 
     /// The place (leg and fraction of it) from which on every contact with friction and a normal force slides, up to the place `until`. `None` if
-    /// there is no such fraction, or from a follower that does not store its past.
+    /// some such contact sticks just before `until`, or from a follower that does not store its past.
     fn all_slide_from(&self, _until: (usize, f64)) -> Option<(usize, f64)> {
         None
     }

@@ -58,14 +58,16 @@ impl<'g, F: Follower<'g>> Following<'g, F> {
         Ok(path)
     }
 
-    /// Starts the present leg if `has_leg`, otherwise ends the path as completed. Does nothing without a follower.
+    /// Starts the present leg if `has_leg`, otherwise ends the path as completed. Does nothing if the path has no follower because it could not
+    /// start.
     fn start_leg(&mut self, has_leg: bool) {
         if let Some(follower) = &mut self.follower {
             self.end = if has_leg { follower.start_leg(&self.run).err() } else { Some(PathEnd::Completed) };
         }
     }
 
-    /// Ends the path, as a loss, if the lip of a suction cup is open all around. The grasp with its vacuum then no longer describes the object.
+    /// Ends the path, as a loss of equilibrium, if the lip of a suction cup is open all around: the vacuum is then gone, while the computed forces
+    /// still include its pull.
     fn end_without_vacuum(&mut self) {
         let Some(follower) = &self.follower else { return };
         let open = follower.cups_open(&self.run);
@@ -98,7 +100,8 @@ impl<'g, F: Follower<'g>> Following<'g, F> {
     }
 }
 
-/// The methods of a load path that do not depend on the type of its follower; the caller's vectors have `C` components. `T` is an event or a step.
+/// The functions of a load path for a caller that need not know the type of its follower. The caller's vectors have `C` components. The path returns
+/// items of the type `T`: events or steps.
 pub(crate) trait AnyPath<const C: usize, T>: Debug {
     fn next(&mut self) -> Option<T>;
     fn end(&self) -> Option<&PathEnd<C>>;

@@ -51,8 +51,8 @@ impl<const C: usize> Leg<C> {
         Self { torques: LegGoal::To(torques.into_iter().list()), ..self }
     }
 
-    /// Refuses, with an error, torques of this leg whose number is not the number of joints. Also refuses torques that are not finite or too large.
-    /// While the load turns, it refuses all torques.
+    /// Returns an error if this leg does not have one torque for each joint, or if a torque is not finite or too large. Also returns an error if the
+    /// leg has torques while its load turns.
     pub(super) fn check_torques(&self, grasp: &Engine) -> Result<(), Error> {
         let (LegGoal::By(torques) | LegGoal::To(torques)) = &self.torques else { return Ok(()) };
         let what = "torques of a leg";

@@ -1,5 +1,6 @@
-//! Follows a growing load while contacts stick or slide, with the slips of the sliding contacts as unknowns. Used for verdicts on a load (`hold`) of
-//! many grasps. Along a ramp the load is a base load, which acts from the start, plus λ times another load. The onset is the first slip.
+//! Follows a growing load while contacts stick or slide, with the slips of the sliding contacts as unknowns. The question `hold` (does the grasp hold
+//! a load?) uses this method if every contact has Coulomb friction, and there are no joints, further bodies, suction cups or kinetic friction. Along
+//! a ramp the load is a base load, which acts from the start, plus λ times another load. The onset is the first slip.
 //!
 //! As long as no contact opens or closes, forces F and motion are affine in the load factor λ and in the slips s_j. F_i⁰ is the force on contact i
 //! under the base load, and F_i¹ its rate, both without slip. The matrix R_ij is the change of F_i per unit slip of contact j, N/m, if everything
@@ -10,9 +11,10 @@
 //! ```
 //!
 //! and the slip rates γ_j and λ' are such that the margins `μ F_n - |F_t|` of all sliding contacts stay zero. Thus there is one equation for each
-//! sliding contact, where an [arc](super::arc) has one for each coordinate. In some cases the functions of this file return `None`, and the caller
-//! follows a load path instead. This happens if sticking before the onset is not clear, a slip ends, a contact opens, events coincide, or several
-//! continuations exist.
+//! sliding contact, where an [arc](super::arc) has one for each coordinate. Arclength is measured along the curve of the slips, divided by a unit of
+//! slip, and the load factor. The path ends at a fold (a maximum of the load factor) or a corner (no contact states continue it). In some cases the
+//! functions of this file return `None`, and the caller follows a load path instead. This happens if a contact may slide before the onset, a slip
+//! ends, a contact opens, events coincide, or the path may continue in several ways.
 
 use nalgebra::SVector;
 
@@ -58,8 +60,8 @@ pub(crate) enum SlipEnd {
 }
 
 impl Engine {
-    /// Follows a load that grows along `ramp` up to the load factor `most`. It starts at the onset of sliding, which must be at a load factor below
-    /// `most`. `None` in all cases that are left to a `LoadPath`, see the head of this file.
+    /// Follows a load that grows along `ramp` up to the load factor `most`. The slips begin at the onset, which must be at a load factor below
+    /// `most`. `None` in the cases of the head of this file, in which the caller follows a `LoadPath` instead.
     pub(crate) fn in_slips(&self, ramp: &Ramp<3>, most: f64, settings: &Settings) -> Option<InSlips> {
         let plain = |site: &Site| {
             let closed = site.hold == Hold::Unilateral && site.springs.resists_tangentially();
@@ -170,9 +172,9 @@ impl Slips<'_> {
         }
     }
 
-    /// Adds a contact that has reached the edge of its cone to the sliding contacts, and computes the rates of load factor and slips. Returns
-    /// `Held` if the path continues with these rates, and `Lost` if no rates of forces and motion exist. `None` if neither is clear, or if
-    /// `MOST_SLIDING` contacts slide already.
+    /// Adds a contact that has reached the edge of its cone to the sliding contacts, and computes the rates of load factor and slips. Returns `Held`
+    /// if the path continues with these rates, and `Lost` if no rates of forces and motion satisfy the contact laws. `None` if rounding leaves open
+    /// which is true, or if `MOST_SLIDING` contacts slide already.
     fn begins_to_slide(
         &mut self,
         contact: usize,
@@ -268,8 +270,8 @@ impl Slips<'_> {
         Some(SlipEnd::Lost(Box::new(loss.leaving(self.grasp, Some(motion)))))
     }
 
-    /// Whether the object comes to rest in another equilibrium under a load factor slightly larger than that of the state `at`. It moves in the
-    /// artificial model of `snapping_over`, in which viscous dampers act at the contacts. `None` for a malformed ramp.
+    /// Whether the object comes to rest in another equilibrium under a load factor slightly larger than that of the state `at`. The object moves in
+    /// the artificial model of `snapping_over`, in which viscous dampers act at the contacts. `None` for a malformed ramp.
     fn snaps_over(&self, at: &[f64], ramp: &Ramp<3>) -> Option<bool> {
         let mut change = Vec::new();
         ramp.offset_changes_into(self.grasp, &mut change).ok()?;
@@ -297,7 +299,7 @@ impl Slips<'_> {
 fn slid(margins: &[Equation], is_chosen: &dyn Fn(usize) -> bool) -> Option<[f64; MOST_UNKNOWNS]> {
     let mut equations = [[0.0; MOST_UNKNOWNS + 1]; MOST_UNKNOWNS];
     for (i, (equation, rates)) in equations.iter_mut().zip(margins).enumerate() {
-        // If contact i is not chosen, its equation only makes its own slip zero.
+        // If contact i is not chosen, its equation is replaced by the equation that its slip rate is zero.
         equation[i] = rates[i + 1];
         if is_chosen(i) {
             (0..margins.len()).filter(|j| is_chosen(*j)).for_each(|j| equation[j] = rates[j + 1]);

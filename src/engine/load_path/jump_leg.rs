@@ -1,9 +1,9 @@
 //! A jump at constant load: other contacts take over the force that contacts lose when their friction falls from the static to the kinetic value.
-//! Drives of joints and tendons are treated like contacts.
+//! Drives of joints and tendons are treated like contacts. A free motion is a motion that nothing resists.
 //!
 //! Let a contact j leave its static cone with the force F_j. At the same stretch of its springs, its force on the kinetic cone is F_j'. The
-//! difference F_j - F_j' is first applied as an external force. It is then removed along a separate leg (part of a path), whose load factor τ grows
-//! from 0 to 1, at the same load W and commands. G_i and G_j are the grasp maps:
+//! difference F_j - F_j' is first applied as an external force. This force is then removed along a separate leg (part of a path), whose load factor τ
+//! grows from 0 to 1, at the same load W and commands. G_i and G_j are the grasp maps:
 //!
 //! ```text
 //! Σ G_i F_i + W + (1 - τ) Σ G_j (F_j - F_j') = 0,      τ from 0 to 1
@@ -36,8 +36,8 @@ use crate::search::{Doubt, SearchOutcome, SearchSolution, Settings, settle};
 pub(super) struct JumpInProgress<'g> {
     /// The leg of the jump, along which the external force in place of the lost friction is removed.
     pub(super) leg: PiecewiseFollower<'g>,
-    /// Three lists over all contacts and drives: slips before the jump; flags, true if the contact has slid in the jump so far; and the successive
-    /// contact states.
+    /// The history of the jump. It has the slip of each contact and drive before the jump, a flag for each that is true if it has slid in the jump so
+    /// far, and the states of all after each change.
     record: JumpRecord,
     pub(super) changes: Vec<(usize, Change<3>)>,
     /// Indices of contacts and drives whose gaps have closed at the end of a free motion in the jump.
@@ -57,11 +57,11 @@ impl<'g> JumpInProgress<'g> {
     }
 
     /// Follows the leg of the jump to its end, where the load is `goal`. Friction forces that further contacts lose on the leg are removed as well.
-    /// If the equilibrium is lost, the object moves until a gap closes. The error is the end of the path, if no gap closes or contacts lose friction
-    /// force too often.
+    /// If the equilibrium is lost, the object moves until a gap closes. The error is the end of the path: if no gap closes, or if the number of
+    /// removals and free motions exceeds its limit.
     pub(super) fn run(&mut self, goal: &Vector, run: &ProgramRun<'g>) -> Result<(), PathEnd<3>> {
-        // A lost friction force is removed at most sixteen times for each contact or drive. Each removal loses energy, so that still more of
-        // them could only result from rounding.
+        // Upper limit of the number of removals of lost friction force and free motions in a jump: sixteen for each contact and drive. Each of them
+        // loses energy, so that they cannot go on for ever; still more could only result from rounding.
         let mut left = 16 * self.record.slid.len();
         loop {
             let begin = match self.advance_to_node(run) {
@@ -116,9 +116,9 @@ impl<'g> JumpInProgress<'g> {
 }
 
 impl<'g> PiecewiseFollower<'g> {
-    /// The leg along which friction forces are removed as an external force: the forces that the contacts `begin` lose as they begin to slide.
-    /// At the end of the leg the load is `goal`. `None` if these contacts have no force to lose (the apex of their cones). The caller then
-    /// computes again how the path continues, now with kinetic friction.
+    /// The leg of the jump that begins when the contacts `begin` start to slide with kinetic friction. The friction forces that they lose are first
+    /// applied to the object as an external force, which the leg removes; at its end the load is `goal`. `None` if these contacts have no force to
+    /// lose (the apex of their cones): the caller then computes again how the path continues, now with kinetic friction.
     pub(super) fn leg_of_release(
         &mut self,
         goal: &Vector,
@@ -148,7 +148,8 @@ impl<'g> PiecewiseFollower<'g> {
             self.segment.problem.cones.clone_from(&problem.cones);
             return Ok(None);
         }
-        // A contact that starts to slide on a round cone just here has no friction force, and so no direction of slip.
+        // A contact that has no friction force at this point, and starts to slide on a round cone, has no direction of slip. The path is then
+        // undecided.
         let has_none = |i: usize| states[i].slide().is_some() && tangential_norm(&forces[i]) == 0.0;
         if any_index(states.len(), &has_none) {
             return Err(run.undecided(0.0, Doubt::OnTheBoundary));
@@ -229,8 +230,8 @@ impl<'g> PiecewiseFollower<'g> {
         let inaccurate = || run.undecided(self.factor, Doubt::Inaccurate);
         let mut place = after_jump.present_piece(run).ok_or_else(inaccurate)?;
         if after_jump.node.turns() {
-            // If hardly anything resists a motion, the contact states alone hardly determine the twist. Therefore the twist at the end of the jump's
-            // leg is kept with this point of the path, as it is kept at the end of an integration step, here one of length zero.
+            // If hardly anything resists a motion, the contact states alone do not give the twist accurately. Therefore the twist at the end of the
+            // jump's leg is stored with this point of the path, as for the end of an integration step. This step has the length zero.
             place.there = after_jump.node.at.clone();
             place.arc_step = Some(ArcStep { unit: 1.0, length: 0.0, rule: Rule::Explicit });
         }
@@ -266,7 +267,7 @@ impl<'g> PiecewiseFollower<'g> {
     }
 }
 
-/// Whether any equilibrium exists at a load at which a jump found none. Contacts that slide have kinetic friction. `problem` is the static
+/// Whether any equilibrium exists at the load of a jump that has led to none. Contacts that slide have kinetic friction. `problem` is the static
 /// problem at this load. Returns [`Beyond::Snap`] if an equilibrium is found, [`Beyond::LimitLoad`] if no equilibrium exists.
 pub(super) fn beyond_a_jump(problem: &Problem<'_>, settings: &Settings) -> Beyond<3> {
     match settle(problem, settings).0 {

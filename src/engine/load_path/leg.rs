@@ -211,7 +211,8 @@ impl<const C: usize> Leg<C> {
 
 impl Leg<3> {
     /// This leg with one command for each contact point. The command of a soft fingertip is repeated for all of its points. A link between bodies has
-    /// no entry in the commands, and keeps its pretension. Returns an error if the number of commands is wrong.
+    /// no entry in the caller's commands: its command stays as it is, so that the link keeps its pretension. Returns an error if the number of
+    /// commands is wrong.
     pub(super) fn of_points(&self, grasp: &Engine) -> Result<Self, Error> {
         let (what, none) = ("commands of a leg", SVector::zeros());
         let of_points = |rows: &Vec<_>, at_links: &dyn Fn(usize) -> SVector<f64, 3>| {
@@ -247,7 +248,8 @@ impl Leg<3> {
 }
 
 impl LegLoad<3> {
-    /// Refuses, with an error that names the leg by its index, a turn whose first load is neither the load `before` the leg nor zero.
+    /// Returns an error, which names the leg by its index, if the load of this leg turns and its first load is neither the load `before` the leg nor
+    /// zero.
     pub(super) fn check_beginning(&self, before: &Wrench<3>, leg: usize, space: Space) -> Result<(), Error> {
         let Self::Turn(turn) = self else { return Ok(()) };
         let begins = turn.load_at(0.0);
@@ -272,7 +274,7 @@ pub(super) enum LegLoad<const C: usize> {
 }
 
 impl<const C: usize> LegLoad<C> {
-    /// The load as a function of the load factor along this leg, which begins with the load `from`, and the load at its end.
+    /// The load as a function of the load factor along this leg, if the leg begins with the load `from`. Also the load at the end of the leg.
     pub(super) fn trajectory(&self, from: &Wrench<C>) -> (Trajectory<Wrench<C>>, Wrench<C>) {
         let (rate, to) = match self {
             Self::Straight(LegGoal::Stay) => (Wrench::ZERO, *from),
@@ -288,8 +290,8 @@ impl<const C: usize> LegLoad<C> {
 }
 
 impl<T: Copy + Add<Output = T>> LegGoal<Vec<T>> {
-    /// Advances `commands` to the next leg: the commands (or torques) at the beginning and at the end of a leg. The next leg begins with the old end,
-    /// and ends at this goal.
+    /// Advances `commands`, which has the commands (or torques) at the beginning and at the end of a leg, to the next leg. The next leg begins with
+    /// the values at the end of the last leg, and ends at this goal.
     pub(super) fn append(&self, commands: &mut [Vec<T>; 2]) {
         commands.swap(0, 1);
         let [from, to] = commands;

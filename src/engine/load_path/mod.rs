@@ -10,7 +10,7 @@
 //!
 //! **A load that turns** ([`Grasp::onset_of_turn`](crate::ask::Grasp::onset_of_turn), [`Leg::turn`]), like the weight in the frame of an object that
 //! is tilted. While contacts keep their states, forces and slips are harmonics of the load's angle θ. The margin of a contact is then a trigonometric
-//! polynomial. Its extrema bracket its first zero.
+//! polynomial, whose extrema bracket its first zero.
 //!
 //! ```text
 //! W(θ) = W₀ + W_c cos θ + W_s sin θ        F(θ) = F₀ + F_c cos θ + F_s sin θ
@@ -21,7 +21,7 @@
 //! is treated as bonded, and an open contact as absent. A solution gives the contact states and rates with which the equilibrium continues
 //! ([`Continuation`]); without a solution the equilibrium ends ([`Loss`]). Whether another equilibrium exists just beyond ([`Beyond`]) is a separate
 //! question: if no other equilibrium exists, the end is a limit load, otherwise a snap. At a snap a load path moves the object in an artificial model
-//! in which viscous dampers act at the contacts. It continues from the equilibrium in which the object comes to rest.
+//! in which viscous dampers act at the contacts. The path then continues from the equilibrium in which the object comes to rest.
 //!
 //! **Load programs** ([`Grasp::follow`](crate::ask::Grasp::follow)). The path leads from event to event and remembers slip: `F_t = K_t (a_t - t·u_c -
 //! s)`. Here K_t is the tangential stiffness, a_t the tangential command, t·u_c the object's tangential displacement at the contact, and s the

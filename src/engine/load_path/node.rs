@@ -1,6 +1,7 @@
-//! A node of the load path: the point between two pieces (parts of a leg with fixed contact states), i.e. an event or the start of a leg. For
-//! each contact it stores the edges of its cone on which its force lies (its active set). At a node the rates of forces and motion determine how
-//! the path continues. The load factor is the fraction of the leg that is done; an arc is a piece on which directions of sliding turn.
+//! A node of the load path: the point between two pieces (parts of a leg with fixed contact states), i.e. an event or the start of a leg. For each
+//! contact it stores the edges of its cone on which its force lies (its active set). At a node the solution of the rate problem, the complementarity
+//! problem for the rates of forces and motion, determines how the path continues. The load factor is the fraction of the leg that is done; an arc is
+//! a piece on which directions of sliding turn. A drive, the spring of a joint or tendon of a hand, is treated like a contact.
 
 use nalgebra::{Matrix, SVector};
 
@@ -26,8 +27,8 @@ use crate::search::{
 /// The rate problem at a node, i.e. the complementarity problem for the rates of forces and motion. `settled` is the outcome of the search for its
 /// solution.
 struct NodeRates<'g> {
-    /// The load factor at which the rates of load and commands in `rates` are taken: the node's load factor or, while the load turns, a slightly
-    /// larger one.
+    /// The load factor at which the rates of load and commands in `rates` are taken. It is the load factor of the node or, while the load turns, a
+    /// slightly larger one, see [`Node::decided`].
     ahead: f64,
     rates: Problem<'g>,
     settled: SearchOutcome,
@@ -40,7 +41,8 @@ struct NodeRates<'g> {
 pub(super) struct Node {
     /// Contact states. A slide on the round cone is stored with the direction of its friction force.
     pub(super) states: Vec<State>,
-    /// For each contact the unit direction in which it slides, in coordinate axes; `None` if it does not slide.
+    /// For each contact the unit direction, along the coordinate axes, in which the finger slides over the object; `None` if the contact does not
+    /// slide.
     pub(super) directions: Vec<Option<SVector<f64, 3>>>,
     pub(super) active_sets: Vec<ActiveSet>,
     /// For each contact: true if it has infinite friction and carries a tangential force. Such a contact loses its tangential force at once when
@@ -56,7 +58,8 @@ pub(super) struct Node {
     pub(super) ahead: f64,
 }
 
-/// The continuation of the path from a node: the state with rates, the changes of contact states, and the number of other continuations.
+/// The continuation of the path from a node: the state there with the rates along the next piece, the changes of contact states, and the number of
+/// other ways in which the path could continue.
 pub(super) struct NextPiece {
     pub(super) point: PathPoint,
     pub(super) changes: Vec<(usize, Change<3>)>,
@@ -89,8 +92,8 @@ impl Node {
         if segment.problem.round {
             slide_where_they_graze(&rates, &mut found);
         }
-        // If all contact forces are zero, the motion is not unique: contacts found sticking may slide as well. Of all admissible motions the
-        // path takes the shortest, and not a motion at an end of their range.
+        // If all contact forces are zero, several motions solve the rate problem, because a contact found sticking may slide as well. Of all these
+        // motions the path takes the shortest.
         if self.at.forces.iter().all(|force| force.norm() == 0.0) {
             found = on_the_solution_interval(&rates, found);
         }
@@ -120,8 +123,8 @@ impl Node {
         Ok(NextPiece { point, changes, other_continuations })
     }
 
-    /// Solves the rate problem at the node, the complementarity problem for the rates of forces and motion. The rates of load and commands are
-    /// those at the node or, while the load turns, slightly ahead.
+    /// Solves the rate problem at the node, the complementarity problem for the rates of forces and motion. The rates of load and commands are taken
+    /// at the node or, while the load turns, at a slightly larger load factor ("ahead").
     ///
     /// While the load turns, a slip may stop, or a force may touch the edge of its cone, exactly at the node. The rates at the node then do not show
     /// whether the slip reverses or the force leaves the cone; rates slightly ahead do. The load rates for which given states hold form a convex
@@ -140,17 +143,18 @@ impl Node {
         };
         let Trajectory::Turn { angle, .. } = segment.trajectory else { return at(factor) };
         let mut last = None;
-        // While the load turns, the rates of the load at this angle (rad) beyond the node determine how the path continues. Smaller angles are
-        // tried in turn, because another event may occur before the larger angle.
+        // While the load turns, the rate of the load a little beyond the node determines how the path continues. `little` is the angle, rad, by which
+        // the load turns from the node. Smaller angles are tried in turn, because another event may occur within the larger angle.
         for little in [1e-3, 1e-5, 1e-7, 1e-9] {
             let decided = at(factor + little / angle);
             let SearchOutcome::Found(found, _) = &decided.settled else {
                 last = Some(decided);
                 continue;
             };
-            // At the apex of a round cone the direction of sliding turns with the load. Elsewhere the contact states found must also solve the rate
-            // problem at 1e-12 rad beyond the node. An event's angle has an error of about 1e-12 rad. Closer to the node the rate of a load that
-            // turns back might have the wrong sign.
+            // On the round cone these states are accepted: they contain directions of sliding, which turn with the load, so that they cannot hold at
+            // two angles. On other cones the states must also solve the rate problem 1e-12 rad beyond the node, so that they hold in the whole range
+            // up to `little`. The angle of an event has an error of about 1e-12 rad: closer to the node, the rate of a load that turns back might
+            // have the wrong sign.
             let rates_beyond = segment.rates(factor + 1e-12 / angle, laws.clone());
             if decided.rates.round
                 || matches!(try_states(&rates_beyond, found.states.clone()), CandidateOutcome::Holds(_))
@@ -161,8 +165,8 @@ impl Node {
         }
         match last {
             Some(last) if !segment.problem.round => last,
-            // On the round cone the node may be the end of an arc, and its load factor has the error of the arc's steps. Rates at the node itself are
-            // then as good as rates slightly ahead.
+            // If no angle gives a solution on the round cone, the rates at the node itself are taken. The load factor of a node at the end of an arc
+            // has the error of the integration steps, so that these rates are as good as rates beyond it.
             _ => at(factor),
         }
     }
@@ -178,8 +182,9 @@ impl Node {
             return holds;
         }
         let sliding = rates.yielding();
-        // For a contact with zero force (the apex of its cone) no state is more likely than another. On the round cone such a contact is first
-        // tried open. Then Newton's method starts with the contact sticking, and with the contact sliding.
+        // For a contact with zero force (the apex of its cone) no state is more likely than another. On polygonal cones no solution is then guessed.
+        // On the round cone such a contact is first tried open. If that fails, Newton's method starts once with the contact sticking, and once with
+        // the contact sliding.
         let at_the_apex = |i: usize| matches!(rates.laws[i], Law::Cone { .. });
         if any_index(rates.len(), &at_the_apex) {
             if !rates.round {
@@ -197,9 +202,9 @@ impl Node {
         try_states(rates, sliding)
     }
 
-    /// Opens contacts that touch but gain no force in `found`, the solution of the rate problem, so that they do not drag the object along.
-    /// These contacts are opened only if the rate problem still has a solution, and the object moves less in it. If no contact gains a force,
-    /// and a contact would slide on the round cone, all contacts that may open are opened.
+    /// Opens contacts that touch but gain no force in `found`, the solution of the rate problem. If they stayed closed, their springs would drag the
+    /// object along. The contacts are opened only if the rate problem still has a solution, in which the object moves less. If no contact gains a
+    /// force, and a contact would slide on the round cone, all contacts that may open are opened.
     fn without_dragging(&self, rates: &Problem, found: SearchSolution) -> SearchSolution {
         let largest = found.forces.iter().map(Matrix::norm).fold(rates.wrench.norm(), f64::max);
         // On the round cone a contact slides along its friction force. If all forces are zero up to rounding, sliding has no direction, and contacts
@@ -223,8 +228,9 @@ impl Node {
         if nothing && every_index(states.len(), &comes_no_nearer) {
             return SearchSolution { forces: vec![SVector::zeros(); states.len()], states, ..found };
         }
-        // The motion with opened contacts is taken if it is shorter. Lengths that differ by less than the fraction `NEGLIGIBLE` count as equal. Of
-        // equal motions it is taken as well if a contact without force would slide, since the direction of this slide is rounding.
+        // The solution with opened contacts is taken if its motion is shorter, by more than the fraction `NEGLIGIBLE`. If a contact without force
+        // would slide, the solution with opened contacts is taken also if both motions are equally long: the direction of such a slide is only
+        // rounding.
         let rubs =
             rates.round && any_index(states.len(), &|i| states[i].is_open() && found.states[i].slides());
         let most = if rubs { 1.0 + NEGLIGIBLE } else { 1.0 - NEGLIGIBLE };
@@ -234,8 +240,8 @@ impl Node {
         }
     }
 
-    /// Sets the states of all contacts to those in `found`, the solution of the rate problem `rates`. Returns the changes, each with the index of its
-    /// contact or drive.
+    /// Sets the states of all contacts to those in `found`, the solution of the rate problem `rates`. Returns the changes of state, each with the
+    /// index of its contact or drive.
     pub(super) fn apply_rates(
         &mut self,
         segment: &mut Segment<'_>,
@@ -266,8 +272,8 @@ impl Node {
     }
 }
 
-/// Changes contacts of `found` from sticking to sliding if their force would graze the round cone: if the contact stuck, its force would leave
-/// the cone along a tangent, see [`LocalLaw::grazes`](crate::contact::LocalLaw::grazes).
+/// Changes the state of contacts of `found` from sticking to sliding if sticking would let their force leave the round cone along a tangent of the
+/// cone, see [`LocalLaw::grazes`](crate::contact::LocalLaw::grazes).
 fn slide_where_they_graze(rates: &Problem, found: &mut SearchSolution) {
     let largest = found.forces.iter().map(Matrix::norm).fold(rates.wrench.norm(), f64::max);
     for (i, state) in found.states.iter_mut().enumerate() {
@@ -279,7 +285,8 @@ fn slide_where_they_graze(rates: &Problem, found: &mut SearchSolution) {
     }
 }
 
-/// For each contact the unit direction in which it slides in `found`, in coordinate axes; `None` if it does not slide.
+/// For each contact the unit direction, along the coordinate axes, in which the finger slides over the object in `found`; `None` if the contact does
+/// not slide.
 pub(super) fn directions(problem: &Problem, found: &SearchSolution) -> Vec<Option<SVector<f64, 3>>> {
     let direction =
         |state| if let ContactState::Sliding { direction } = state { Some(direction) } else { None };

@@ -1,6 +1,6 @@
 //! The onset, i.e. the load factor or angle at which the first contact stops sticking as a load grows or turns, as an answer for the caller. The
 //! offset of a contact's springs is the command of its finger (a displacement) minus clearance and accumulated slip. A ramp is a load or a command
-//! that grows in proportion to a load factor.
+//! that grows in proportion to a load factor. A drive, the spring of a joint or tendon of a hand, is treated like a contact.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -104,9 +104,9 @@ pub(super) struct StickingState {
 }
 
 impl OnsetEvent<3> {
-    /// The onset at the load factor `factor`, from the caller's load and the solution `found` there. The active sets are the edges of friction cones
-    /// that forces have reached. `leaving` and `sites` are the contacts and drives that stop sticking. `lists` are emptied lists whose memory is
-    /// reused.
+    /// The onset at the load factor `factor`, made from the caller's load and the solution `found` at this load factor. The active sets are the edges
+    /// of friction cones that forces have reached. `leaving` and `sites` are the contacts and drives that stop sticking. `lists` are emptied lists
+    /// whose memory is reused.
     pub(super) fn new(
         segment: Segment<'_>,
         (factor, load): (f64, Wrench<3>),

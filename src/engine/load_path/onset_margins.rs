@@ -1,6 +1,7 @@
 //! The margins m (`μ F_n - |F_t|`, N) that vanish at an onset, and the derivatives of the onset's load factor τ. If a change of the data (stiffness,
 //! friction and others) changes a margin by dm, τ changes by `dτ = -dm / m'`. Here m' is the rate of the margin along the ramp. Along a ramp the load
-//! is a base load plus τ times a given load, and commands change in proportion to τ.
+//! is a base load plus τ times a given load, and commands change in proportion to τ. A drive, the spring of a joint or tendon of a hand, is treated
+//! like a contact.
 
 use nalgebra::SVector;
 
@@ -41,8 +42,8 @@ pub struct OnsetMargins<'g> {
     margins: Vec<Margin>,
 }
 
-/// The margin of a contact or drive that stops sticking, as a linear function `row·F` of its force F: `μ F_n - h·F_t` with a facet normal h (on
-/// the round cone along F_t), or F_n alone if friction is absent or unlimited.
+/// The margin of a contact or drive that stops sticking, as a linear function `row·F` of its force F. It is `μ F_n - h·F_t` with a facet normal h; on
+/// the round cone h is along F_t. It is F_n alone if friction is absent or unlimited.
 struct Margin {
     leaver: DepartingPart,
     site: usize,
@@ -112,8 +113,8 @@ impl<'g> OnsetMargins<'g> {
 }
 
 impl Margin {
-    /// The change of the load factor at which this margin vanishes. All contact forces change by `forces`, and at constant forces the margin changes
-    /// by `direct`.
+    /// The change of the load factor at which this margin vanishes, if all contact forces change by `forces`, and the margin changes by `direct`
+    /// besides, as it does if a friction coefficient changes.
     fn factor_change(&self, forces: &[SVector<f64, 3>], direct: f64) -> f64 {
         -(self.row.dot(&forces[self.site]) + direct) / self.rate
     }

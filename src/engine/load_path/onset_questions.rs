@@ -1,5 +1,5 @@
-//! The onset (first slip or opening) under a load that grows, found without stepping. The base load acts before the asked load grows. Drives of
-//! joints and tendons are treated like contacts.
+//! The onset (first slip or opening) under a load that grows, found without stepping. The base load acts from the start, and the load of the question
+//! grows in addition. Drives of joints and tendons are treated like contacts.
 //!
 //! While everything sticks, forces are affine in the load factor, `F(τ) = F⁰ + τ F¹`. Two linear solves give the forces F⁰ under the base load and
 //! their rate F¹. The onset is the smallest τ at which a contact reaches the edge of its cone. Each facet of a polygonal cone gives a linear equation
@@ -49,8 +49,8 @@ impl Engine {
         self.onset_in_memory(ramp, settings, memory)
     }
 
-    /// As [`Self::onset`], but also returns the result of the search for the equilibrium under the base load, if that search was made. A load
-    /// path can start from this equilibrium.
+    /// As [`Self::onset`], but also returns the result of the search for the equilibrium under the base load, so that a load path can start from this
+    /// equilibrium. `None` if the onset was found without this search.
     pub(crate) fn onset_from_rest(
         &self,
         ramp: &Ramp<3>,
@@ -83,8 +83,8 @@ impl Engine {
         Ok(onset)
     }
 
-    /// The onset along the `trajectory` of the load up to the load factor `end`. Contacts may close before the onset. `rest` is the result of
-    /// the search for the equilibrium at load factor 0.
+    /// The onset as the load follows `trajectory` up to the load factor `end`, in the general case in which contacts may close before the onset.
+    /// `rest` is the result of the search for the equilibrium at load factor 0.
     pub(super) fn onset_with_closing<'a>(
         &'a self,
         segment: Segment<'a>,

@@ -1,5 +1,5 @@
-//! Memory that the computation of one onset passes on to the computation of the next onset. The base load acts before the asked load grows. Drives of
-//! joints and tendons are treated like contacts.
+//! Memory that the computation of one onset passes on to the computation of the next onset. The base load acts from the start, and the load of the
+//! question, times a growing load factor, in addition. Drives of joints and tendons are treated like contacts.
 
 use alloc::sync::Arc;
 
@@ -37,8 +37,8 @@ pub(super) struct OnsetMemory {
     pub(super) leaving: Vec<DepartingContact<3>>,
     /// Indices of the contacts and drives that stop sticking.
     pub(super) sites: Vec<usize>,
-    /// Memory for three vectors at the onset, in this order: twist, load and load rate. Each list is for the coordinates of joints and further
-    /// bodies, which follow the coordinates of one object.
+    /// Memory for those parts of three vectors that belong to joints and further bodies, in this order: twist, load and load rate at the onset. The
+    /// parts that belong to the object itself need no memory of this kind, since their number is fixed.
     pub(super) coordinates: [Vec<f64>; 3],
     place: Option<Box<OnsetEvent<3>>>,
     /// The result of the search for the equilibrium under the base load; `None` if the last onset was found without this search.
@@ -46,8 +46,8 @@ pub(super) struct OnsetMemory {
 }
 
 impl OnsetMemory {
-    /// The load along `trajectory` as a [`Segment`]. The rates of the offsets of the contacts' springs are taken from the field `change`, and no
-    /// contact has slipped yet.
+    /// A [`Segment`] along which the load follows `trajectory`, before any contact has slipped. The rates of the offsets of the contacts' springs are
+    /// taken from the field `change`.
     pub(super) fn segment<'g>(
         &mut self,
         grasp: &'g Engine,

@@ -1,5 +1,6 @@
 //! The choice of step lengths along an arc, a piece of the path on which directions of sliding turn. A leg is a section of the load program; the load
-//! factor is the fraction of it that is done.
+//! factor is the fraction of it that is done. A node is an event or the start of a leg. Arclength is measured along the curve of the twist, divided
+//! by a unit of displacement, and the load factor.
 
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
@@ -49,7 +50,7 @@ impl Pace {
         }
     }
 
-    /// The step control after an event: only the number of steps is kept, and the step length is chosen anew.
+    /// The data of the step control after a node (event or start of a leg): only the number of steps so far is kept, everything else begins anew.
     pub(super) fn at_node(self) -> Self {
         Self { steps: self.steps, ..Self::new() }
     }
@@ -59,19 +60,20 @@ impl Pace {
     pub(super) fn allow_larger_error(&mut self, rest: f64) -> bool {
         let may = self.times_raised < 2;
         if may {
-            // Rounding may be the reason why steps are refused. Therefore the allowed error of a step grows by this factor, at most twice. The
-            // estimated error of the path includes the errors actually made.
+            // Rounding errors alone may exceed the allowed error, so that every step is refused, however short. The allowed error therefore grows by
+            // the factor 30. Callers still learn the true accuracy, because the estimated error of the path adds up the errors actually made.
             (self.times_raised, self.error_factor) = (self.times_raised + 1, self.error_factor * 30.0);
-            // First step after the allowed error has been raised, as a fraction of the rest of the leg.
+            // The first step with the larger allowed error is a thousandth of the rest of the leg.
             (self.length, self.refused) = (Some(1e-3 * rest), 0);
         }
         may
     }
 
-    /// Records an accepted step of arclength `length`, whose error is the fraction `part` of the allowed error, and chooses the length of the
-    /// next step. A step that was shortened (`cut`) to end at an event does not reduce this length.
+    /// Records an accepted step of arclength `length`, whose error is the fraction `part` of the allowed error, and chooses the length of the next
+    /// step. A step that was shortened (`cut`) to end at an event does not make the next step shorter.
     pub(super) fn accept(&mut self, length: f64, part: f64, cut: bool) {
-        // Largest ratio of the length of the next step to the length of this step. After a refused step no growth is allowed.
+        // The next step is at most five times as long as this step, or no longer at all if this step was tried before with a larger length and
+        // refused.
         let longest = if self.refused > 0 { 1.0 } else { 5.0 };
         let next = length * (CAUTION * part.powf(-1.0 / ERROR_ORDER)).clamp(LEAST_RATIO, longest);
         self.length = Some(if cut { next.max(self.length.unwrap_or(0.0)) } else { next });
@@ -91,7 +93,7 @@ impl Pace {
     pub(super) fn refuse(&mut self, length: f64, times: f64) {
         self.length = Some(length * (CAUTION * times.powf(-1.0 / ERROR_ORDER)).clamp(LEAST_RATIO, CAUTION));
         self.refused += 1;
-        // If this many implicit steps in a row are refused, the next sixty-four accepted steps are explicit, unless an event comes first.
+        // After four refused implicit steps in a row, explicit steps are used instead, for the next sixty-four accepted steps or until an event.
         if self.implicit && self.refused >= 4 {
             (self.implicit, self.explicit_steps_left) = (false, 64);
         }

@@ -231,14 +231,15 @@ impl<const C: usize, T> Iterator for Path<'_, C, T> {
 }
 
 impl<const C: usize> LoadPath<'_, C> {
-    /// Sum of the estimated errors of all integration steps so far. Integration is necessary where directions of sliding turn on the round cone. The
-    /// estimated error of each step is below [`Settings::step_error`], unless rounding prevents so small an error. Zero if nothing had to be
-    /// integrated, as in the plane and on polygonal friction cones. A margin is the distance of a contact force from the edge of its cone. If events
-    /// follow each other ever more closely, small gaps and margins are set to zero. The largest of them, relative to the terms from which it is
-    /// computed, is added to the sum.
+    /// Sum of the estimated errors of all integration steps so far. Only where directions of sliding turn on the round cone are steps integrated;
+    /// without such steps, as in the plane and on polygonal friction cones, the sum is zero. The estimated error of each step is below
+    /// [`Settings::step_error`], unless rounding prevents so small an error.
+    ///
+    /// If events follow each other ever more closely, small gaps, and small distances of contact forces from the edges of their cones, are set to
+    /// zero. The largest of them, relative to the terms from which it is computed, is added to the sum.
     ///
     /// The estimate for a step is the larger of two ratios: error of forces to largest force, and error of displacements to largest displacement. The
-    /// true error is usually smaller. The growth of an earlier error on later steps is not included, but sliding damps most errors.
+    /// true error is usually smaller. The estimate does not include that an earlier error may grow on later steps, but sliding damps most errors.
     #[must_use]
     pub fn step_error(&self) -> f64 {
         self.0.step_error()

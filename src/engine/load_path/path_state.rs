@@ -1,6 +1,7 @@
 //! The state of contacts at a node of the load path (an event, or the start of a leg): active sets and slip memory. The active set of a contact
 //! consists of the edges of its cone on which its force lies. Slip memory is the accumulated slip of each contact. A leg is a section of the load
-//! program; the load factor is the fraction of it that is done.
+//! program; the load factor is the fraction of it that is done. A piece is a part of a leg with fixed contact states; an arc is a piece on which
+//! directions of sliding turn. At the apex of its cone a contact force is zero.
 
 use crate::numerics::{IntoList, Vector};
 use nalgebra::{Matrix, SVector};
@@ -23,8 +24,8 @@ use crate::search::SearchSolution;
 /// motions are rates.
 pub(super) fn forces_are_rounding(problem: &Problem<'_>, forces: &[SVector<f64, 3>], twist: &Vector) -> bool {
     let largest = forces.iter().map(Matrix::norm).fold(problem.wrench.norm(), f64::max);
-    // Forces are rounding below the fraction `ROUNDED_SUM` of the force that the displacements cause in the softest spring. About sixteen rounding
-    // errors may add up.
+    // `ROUNDED_SUM` is the rounding error of a sum of about sixteen terms, relative to its largest term. Below this fraction of the force that the
+    // displacements cause in the softest spring, forces are rounding errors.
     largest <= ROUNDED_SUM * softest_spring_force(problem, twist)
 }
 
@@ -57,7 +58,7 @@ impl Node {
         if segment.problem.round {
             node.slip_until_now(segment, 0.0);
         }
-        // Load and commands are held constant here, because active sets depend on forces and gaps alone, not on their rates.
+        // The point is computed with constant load and commands, because active sets depend on forces and gaps alone, not on their rates.
         if let Ok(point) = node.point_at(&segment.at_rest(0.0), 0.0, None) {
             node.set_active_sets(segment, &point);
         }
@@ -138,8 +139,8 @@ impl Node {
         segment.largest = segment.largest.max(point.sizes[0]);
         for (i, (line, force)) in point.lines.iter().zip(&end.forces).enumerate() {
             let closed = !self.states[i].is_open();
-            // A sticking contact without force at the beginning of the piece was at the apex of its cone already. It has not come to it on this
-            // piece. A contact that slides from the apex, still without force, is at the apex.
+            // A sticking contact whose force is zero at the beginning of the piece was at the apex of its cone already, and has not come to the apex
+            // on this piece. A contact that began to slide from the apex, and still has no force, is at the apex.
             let comes_there = line.force.norm() > 0.0 || self.states[i].slides();
             if closed && comes_there && ActiveSet::is_weightless(force, line.force_size) {
                 self.active_sets[i].apex = true;
@@ -165,7 +166,7 @@ impl Node {
         }
     }
 
-    /// Treats each sliding contact whose normal force at `point` has almost vanished as without force (the apex of its cone). The direction of
+    /// Sets each sliding contact whose normal force at `point` has almost vanished to the apex of its cone, as if it had no force. The direction of
     /// its friction can no longer be computed. Returns whether there is such a contact.
     pub(super) fn release_vanishing(&mut self, point: &PathPoint) -> bool {
         let mut any = false;
@@ -184,9 +185,9 @@ impl Node {
         self.stopped.push(contact);
     }
 
-    /// Returns a contact that has stopped sliding at this node, and whose force would leave the friction cone along a tangent if the contact stuck.
-    /// On a straight piece such a contact can neither stick nor slide on: friction would drive its slip instead of opposing it. `None` if there is no
-    /// such contact, on arcs, and while the load turns.
+    /// Returns the index of a contact that has stopped sliding at this node, if the contact force would leave the friction cone along a tangent while
+    /// the contact sticks. On a straight piece such a contact can neither stick nor slide on: friction would drive its slip instead of opposing it.
+    /// `None` if there is no such contact, on arcs, and while the load turns.
     pub(super) fn neither_slides_nor_sticks(
         &self,
         segment: &Segment<'_>,
@@ -200,10 +201,12 @@ impl Node {
         self.stopped.iter().find(leaves).copied().filter(|_| straight)
     }
 
-    /// Called when steps have become too short to advance. A force nearly on the edge of its cone is treated as on the edge, and a nearly closed
-    /// gap as closed. All events within the error of steps then happen at one point of the path. Each gap so neglected, and each distance of a
-    /// force from the edge of its cone, is compared with the size of its terms. Returns the largest of these ratios. If no contact is so
-    /// treated, returns zero if contacts slide on the round cone and the load does not turn, else `None`.
+    /// Called when steps have become too short to advance. A force nearly on the edge of its cone is treated as on the edge, and a nearly closed gap
+    /// as closed. Events nearer to each other than the error of steps thus happen at one point of the path.
+    ///
+    /// Each gap that is neglected in this way, and each distance of a force from the edge of its cone, is divided by the size of its terms. Returns
+    /// the largest of these ratios. If nothing had to be neglected, returns zero if contacts slide on the round cone and the load does not turn, else
+    /// `None`.
     pub(super) fn gather(&mut self, segment: &Segment<'_>, point: &PathPoint) -> Option<f64> {
         let mut apart: Option<f64> = None;
         for (i, (line, gap)) in point.lines.iter().zip(&point.gaps).enumerate() {

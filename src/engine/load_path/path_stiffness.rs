@@ -1,5 +1,7 @@
-//! The tangent stiffness at a point of a path, and LU factors of this matrix with one more row and column (a bordered matrix). The matrices are full,
-//! or band matrices if there are many coordinates.
+//! The tangent stiffness of the object at a point of a load path, i.e. the matrix that maps a small motion to the change of the generalised forces
+//! that the contacts exert against it. Coordinates are the components of the object's twist, then the displacements of joints and of further bodies.
+//! This file also has LU factors of the tangent stiffness with one more row and column (the bordered matrix). The matrices are full, or band matrices
+//! if there are many coordinates.
 
 use crate::numerics::{
     Band, Bordered, BorderedBand, Each, Size, Square, Vector, mapped, narrow_order, solved_once, widest,
@@ -34,8 +36,8 @@ impl NarrowOrder {
     }
 }
 
-/// The tangent stiffness of the object at a point of a path: a full matrix, or a band matrix whose rows and columns are in the order in which
-/// the stiffness matrix is a narrow band.
+/// The tangent stiffness of the object at a point of a path: a full matrix, or a band matrix. The rows and columns of the band matrix are in the
+/// order `order`, in which the band is narrow.
 #[derive(Debug, Clone)]
 pub(super) enum PathStiffness {
     Whole(Square),
@@ -104,8 +106,9 @@ impl PathStiffness {
     }
 
     /// Solves the bordered linear system once. Its matrix is the tangent stiffness with the column `cover`, the row `gradient` and the corner entry
-    /// `corner` added. The right-hand side is zero, except for `last` in the added row. Returns the twist and the last unknown; `None` if the matrix
-    /// is nearly singular.
+    /// `corner` added. `cover` is minus the rate of the load, since the unknown of this column is the load factor. The row `gradient` keeps the
+    /// solution transverse to the path. The right-hand side is zero, except for `last` in the added row. Returns the twist, and the unknown of the
+    /// added column; `None` if the matrix is nearly singular.
     pub(super) fn solved_once(
         self,
         size: Size,
@@ -127,8 +130,8 @@ impl PathStiffness {
         }
     }
 
-    /// LU factors of the tangent stiffness with the column `cover`, the row `gradient` and the entry `corner` added. `None` if this matrix is nearly
-    /// singular, so that the path may continue in more than one direction.
+    /// LU factors of the tangent stiffness with the column `cover`, the row `gradient` and the corner entry `corner` added, see
+    /// [`Self::solved_once`]. `None` if this matrix is nearly singular, so that the path may continue in more than one direction.
     pub(super) fn bordered(
         self,
         size: Size,
@@ -143,7 +146,8 @@ impl PathStiffness {
                 if let Some(bordered) = BorderedBand::new(band.clone(), column, row, corner) {
                     return Some(PathFactors::Narrow { order, bordered: Box::new(bordered) });
                 }
-                // The band matrix alone may be singular, as at a maximum of the load. The bordered matrix is then factorised as a full matrix.
+                // The factorisation of the bordered band matrix fails if the band matrix alone is singular, as at a maximum of the load. The bordered
+                // matrix is then factorised as a full matrix.
                 let mut square = Square::zeros(size);
                 let entry = |(i, j): (usize, usize)| band.entry(order.numbers[i], order.numbers[j]);
                 let places = (0..size.count()).flat_map(|j| (0..size.count()).map(move |i| (i, j)));
@@ -152,7 +156,8 @@ impl PathStiffness {
             }
         };
         let bordered = Bordered::new(&square, cover, gradient, corner)?;
-        // If a pivot of the bordered matrix is below this fraction of the largest, the path may continue in more than one direction.
+        // If the smallest pivot is below the fraction `LINEARLY_DEPENDENT` of the largest, the bordered matrix counts as singular: the path may
+        // continue in more than one direction.
         (bordered.least_pivot() > LINEARLY_DEPENDENT).then_some(PathFactors::Whole(bordered))
     }
 }

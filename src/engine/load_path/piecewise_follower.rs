@@ -1,6 +1,8 @@
 //! Follows a load program piece by piece, from event to event, and finds the exact load of each event. With up to some hundreds of contacts this
-//! takes acceptable time. A leg is a part of the program along which load and commands change linearly, or the load turns. A piece is a part of
-//! a leg on which all contacts keep their states; a node is the point between two pieces.
+//! takes acceptable time. A leg is a part of the program along which load and commands change linearly, or the load turns. A piece is a part of a leg
+//! on which all contacts keep their states; a node is the point between two pieces. The load factor is the fraction of the leg that is done. A jump
+//! is a motion of the object, at constant load, to another equilibrium. A drive, the spring of a joint or tendon of a hand, is treated like a
+//! contact.
 //!
 //! While every contact keeps its state, forces and motions are affine in the fraction of the leg. A ratio test gives the next event: the first point
 //! at which a force leaves its friction cone, a gap closes, or a slip reverses. Under a turning load forces and motions are harmonics of the load's
@@ -51,18 +53,19 @@ pub(crate) struct PiecewiseFollower<'g> {
     /// All pieces that the path has passed so far, the first one first, jumps (motions at constant load) included.
     pub(super) behind: Vec<StoredPiece<'g>>,
     pub(super) energy: Vec<LegEnergy>,
-    /// Number of successive pieces, up to the present point of the path, that are no longer than the rounding error of their lengths, see
-    /// `straight`.
+    /// Number of pieces in a row, the last of which ends at the present point of the path, whose length is within the rounding error of this length.
+    /// Many such pieces mean that the path no longer advances, see `straight`.
     pub(super) stalls: usize,
     pub(super) pace: Pace,
     /// The load factor at which the path last treated a close sequence of events as one event; NaN if it has not done so on this leg.
     pub(super) gathered: f64,
     /// The load factor at which slips last ended on an arc of this leg, and the contacts whose slips ended there. NaN if none has ended yet.
     pub(super) stopped: (f64, Vec<usize>),
-    /// Number of times that the object has snapped over to another equilibrium on this leg. Also the load factor at which it last came to rest.
+    /// Number of times that the object has snapped over to another equilibrium on this leg, and the load factor at which the object last came to rest
+    /// after that.
     pub(super) snapped: SnapCount,
-    /// Sum of the estimated relative errors so far. They are the errors of integration steps along arcs, on which directions of sliding turn, and
-    /// errors made by treating close events as one.
+    /// Sum of the estimated relative errors of the path so far: errors of integration steps along arcs, on which directions of sliding turn, and
+    /// errors made by treating close events as one event.
     pub(super) step_error: f64,
     /// An event to return before all others, if a contact slides at the start of the path: its friction falls from the static to the kinetic value.
     pub(super) first: Option<Box<Event<3>>>,
@@ -86,8 +89,8 @@ impl Engine {
         Ok(Path::new(Box::new(Following::start(self, (start, legs), settings, PiecewiseFollower::at_start)?)))
     }
 
-    /// As [`Self::follow`], but without a search for the first equilibrium if `rest` is given. `rest` is the result of that search under the load
-    /// `start`, which the computation of an onset with the same settings has made already.
+    /// As [`Self::follow`], but without a search for the first equilibrium if `rest` is given. `rest` is the result of this search, if the
+    /// computation of an onset under the same load `start` and with the same settings has made it already.
     pub(crate) fn follow_from_rest(
         &self,
         (start, rest): (&Wrench<3>, Option<SearchAtRest>),
@@ -244,8 +247,8 @@ impl<'g> PiecewiseFollower<'g> {
         self.behind.last()?.state_before_event(self.segment.grasp, self.segment.answer_for)
     }
 
-    /// Computes how the path continues from the present node. Returns an event if a contact or drive changes its state, or a motion loses its
-    /// resistance. Also returns an event if the continuation at the start of a leg is not unique.
+    /// Computes how the path continues from the present node. Returns an event if a contact or drive changes its state, or if nothing resists some
+    /// motion any more. At the start of a leg, also returns an event if the path could continue in several ways.
     fn decide(&mut self, run: &ProgramRun<'g>) -> Result<Option<Event<3>>, PathEnd<3>> {
         if let Some(first) = self.first.take() {
             self.at_node = true;
@@ -263,7 +266,8 @@ impl<'g> PiecewiseFollower<'g> {
         self.pace = self.pace.at_node();
         let jump = if self.friction_falls() { self.friction_after(run, &next.changes)? } else { None };
         let (changes, drives) = grasp.contacts_and_drives(next.changes);
-        // At the start of a leg an event is returned if several continuations exist, even if the chosen continuation changes nothing.
+        // At the start of a leg an event is returned if the path could continue in several ways, even if no contact changes its state in the way
+        // chosen.
         let branches = self.factor == 0.0 && next.other_continuations.is_some_and(|others| others > 0);
         if changes.is_empty() && drives.is_empty() && !(set_free && before.is_some()) && !branches {
             return Ok(None);
@@ -285,22 +289,24 @@ impl<'g> PiecewiseFollower<'g> {
         }))
     }
 
-    /// Whether the residuals of an equilibrium at the present point of the path are small, or no larger than rounding of displacements explains.
-    /// If all forces vanish together, the computed forces are only rounding, and residuals relative to these forces mean nothing.
+    /// Whether an equilibrium at the present point of the path is accurate: its residuals are small, or its imbalances are no larger than the
+    /// rounding errors of spring forces. The second test is needed where all forces vanish together: the computed forces are then rounding errors,
+    /// and residuals relative to them mean nothing.
     pub(super) fn is_accurate(&self, state: &Equilibrium<3>) -> bool {
         let worst = state.residuals.worst();
         let largest = largest(&state.contacts, &|contact| contact.force.norm());
         worst <= ACCURATE || largest * worst.min(1.0) <= self.rounding_of_forces()
     }
 
-    /// The size, N, up to which contact forces at the present point of the path are taken as rounding errors.
+    /// The size, N, up to which contact forces at the present point of the path count as rounding errors. It is a small fraction of the largest force
+    /// on the path so far, or of the force that the displacements would cause in the softest spring.
     fn rounding_of_forces(&self) -> f64 {
         let springs = softest_spring_force(&self.segment.problem_at(self.factor), &self.node.at.twist);
         WEIGHTLESS * self.segment.largest.max(springs)
     }
 
-    /// If all contact forces at the present point of the path are rounding, sets them to zero. Otherwise rounding would decide which contacts
-    /// press.
+    /// If all contact forces at the present point of the path are rounding errors, sets them to zero. Otherwise the signs of these errors would
+    /// decide which contacts press.
     pub(super) fn let_go_of_rounding(&mut self) {
         let most =
             largest(&self.node.at.forces, &SVector::norm).max(self.segment.trajectory.at(self.factor).norm());
@@ -323,7 +329,8 @@ impl<'g> PiecewiseFollower<'g> {
         let point =
             match &self.point {
                 Some(point) => point.clone(),
-                // If the path does not continue, no rates along the leg exist. Load and commands are then held constant.
+                // If the path does not continue along the leg, no rates of forces and motion exist there. The point is then computed with load and
+                // commands held constant.
                 None => self.node.point_at(&self.segment, self.factor, None).ok().or_else(|| {
                     self.node.point_at(&self.segment.at_rest(self.factor), self.factor, None).ok()
                 })?,

@@ -78,8 +78,8 @@ impl Program {
         // Legs that are complete are removed, so that a program to which legs are added endlessly needs no more memory.
         self.legs.drain(..(self.leg - self.done).min(self.legs.len()));
         self.done = self.leg;
-        // The legs with a command for each contact point, which the check above has made too, are made a second time: keeping them would need a
-        // list of its own.
+        // Each leg is converted to a leg with one command for each contact point. The checks above have made these legs already, but have not stored
+        // them, because that would need another list.
         for leg in legs {
             self.legs.push(leg.of_points(grasp)?);
         }
@@ -170,8 +170,8 @@ impl Program {
         offsets
     }
 
-    /// Writes the lists of [`Self::offsets`] (of each contact and drive the command minus clearance at the beginning of the leg, and its change along
-    /// the leg) into the caller's lists `base` and `change`.
+    /// Writes the two lists of [`Self::offsets`] into the caller's lists: the offsets at the beginning of the leg into `base`, and their changes
+    /// along the leg into `change`.
     pub(super) fn offsets_into(&self, grasp: &Engine, [base, change]: &mut [Vec<SVector<f64, 3>>; 2]) {
         let ([from, to], [joints_from, joints_to]) = (&self.commands, &self.joints);
         grasp.offsets_under(from.iter().copied(), joints_from, base);
@@ -184,7 +184,8 @@ impl Program {
     pub(super) fn inside_trajectory(&self, grasp: &Engine) -> Trajectory<Vector> {
         match &self.trajectory {
             Trajectory::Straight { from, rate } => {
-                // The change of the load is converted by itself. As a difference of two loads, a small change would be rounding.
+                // The change of the load is converted to coordinates directly. As a difference of two converted loads, a small change would be lost
+                // in rounding errors.
                 let (mut from, mut rate) = (grasp.load_unchecked(from), grasp.inside_unchecked(rate));
                 for [first, last] in self.other_loads(grasp).into_iter().flatten() {
                     rate += last - &first;

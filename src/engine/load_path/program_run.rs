@@ -1,4 +1,6 @@
-//! The data that every method of following a load program needs: the grasp, the load program with its legs (sections), and the caller's settings.
+//! The data that every method of following a load program needs: the grasp, the load program with its legs (sections), and the caller's settings. The
+//! load factor is the fraction of the present leg that is done. The onset is the first slip or opening under a growing load. A drive, the spring of a
+//! joint or tendon of a hand, is treated like a contact.
 
 use alloc::sync::Arc;
 
@@ -17,7 +19,7 @@ use crate::object::{Load, Problem};
 use crate::prelude::*;
 use crate::search::{Doubt, FoundBy, SearchCounts, SearchOutcome, SearchSolution, Settings, settle_at_rest};
 
-/// The result of the search for the equilibrium at load factor 0, from which a path starts, and the effort of this search.
+/// The result of the search for the equilibrium from which a path starts, and counts of the work of this search.
 pub(crate) type SearchAtRest = (SearchOutcome, SearchCounts);
 
 /// A load program in progress, with its grasp and settings.
@@ -66,8 +68,9 @@ impl<'g> ProgramRun<'g> {
         }
     }
 
-    /// The present leg as a [`Segment`]: its loads and spring offsets as functions of the load factor, with the accumulated slips `slips` at its
-    /// beginning. Loads and commands are computed from their values at the ends of legs, so that rounding errors do not add up over many legs.
+    /// The present leg as a [`Segment`]: loads, and offsets of contact springs, as functions of the load factor (the fraction of the leg that is
+    /// done). `slips` are the accumulated slips at the beginning of the leg. Loads and commands are computed from their values at the ends of legs,
+    /// so that rounding errors do not add up over many legs.
     pub(super) fn segment(&self, slips: Vec<SVector<f64, 3>>) -> Segment<'g> {
         let trajectory = self.program.inside_trajectory(self.grasp);
         let [mut offsets, change] = self.program.offsets(self.grasp);

@@ -83,7 +83,7 @@ impl<const C: usize> Ramp<C> {
         }
     }
 
-    /// Refuses, with an error, lists of changes whose length is not the number of contacts or of drives (joints, then tendons). Also refuses a ramp
+    /// Returns an error if a list of changes does not have one entry for each contact, or for each joint and tendon. Also returns an error for a ramp
     /// along which nothing changes.
     #[cfg(feature = "serde")]
     pub(crate) fn check_changes(&self, [contacts, drives, _]: [usize; 3]) -> Result<(), Error> {

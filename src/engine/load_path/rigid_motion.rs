@@ -8,9 +8,9 @@
 //! v = W + Σ G_i r_i,     0 <= r_n ⟂ n·G_iᵀv >= 0,     |r_t| <= μ r_n against G_iᵀv
 //! ```
 //!
-//! as if its mass matrix were the identity: unit mass, and as radius of gyration the root mean square distance of contacts from their centroid. Each
-//! r_i has a normal part r_n and a tangential part r_t, limited by the friction coefficient μ. n are normals and G_i grasp maps. Bonded links allow
-//! no displacement at their points.
+//! as if its mass matrix were the identity. This means unit mass, and a radius of gyration equal to the root mean square distance of the contacts
+//! from their centroid. Each r_i has a normal part r_n and a tangential part r_t, limited by the friction coefficient μ. n are normals and G_i grasp
+//! maps. Bonded links allow no displacement at their points.
 
 use super::tolerances::NO_RIGID_MOTION;
 use crate::contact::Law;
@@ -20,13 +20,15 @@ use crate::numerics::{Vector, chosen, matrix_of, orthogonal_part, vector_of};
 use crate::object::Problem;
 use crate::prelude::*;
 
-/// Upper limit of the number of coordinates of the bodies, and of the number of touching contacts. Beyond it the motion of rigid bodies is not
-/// computed, since the computation would take too long.
+/// Upper limit of the number of coordinates of the bodies, and of the number of touching contacts. With more of them the motion of rigid bodies is
+/// not computed, since the computation would take too long.
 const MOST_RIGID: usize = 64;
 
 /// The unit motion with which the object starts to move if no contact presses and nothing balances the rate of the load. `rates` is the problem for
-/// the rates of forces and motion. `None` if no contact touches, or if a contact presses, is kept closed, or touches and never slides. Also `None` if
-/// a command changes, if the motion is zero, or with more than [`MOST_RIGID`] coordinates or touching contacts.
+/// the rates of forces and motion.
+///
+/// `None` if no contact touches, if some contact presses or is kept closed, or if a touching contact has infinite friction. `None` also if a command
+/// changes, if the motion is zero, or with more than [`MOST_RIGID`] coordinates or touching contacts.
 pub(super) fn rigid_motion(rates: &Problem) -> Option<Vector> {
     if rates.wrench.as_slice().len() > MOST_RIGID || rates.offsets.iter().any(|offset| offset.norm() > 0.0) {
         return None;
@@ -59,8 +61,8 @@ pub(super) fn rigid_motion(rates: &Problem) -> Option<Vector> {
         let slides_freely = rates.local(i).is_frictionless() || !site.springs.resists_tangentially();
         friction.push(if slides_freely { 0.0 } else { rates.local(i).cone().limit(1.0) });
     }
-    // In the plane nothing moves along the second tangent. An entry of one on the diagonal makes friction along this tangent zero, without
-    // coupling it to the motion of the object.
+    // In the plane nothing moves along the second tangent, so that its row and column of `products` are zero. An entry of one on their diagonal keeps
+    // the matrix regular, and makes friction along this tangent zero.
     let is_absent = |a: usize| a % 3 >= rates.space().axes();
     let products = matrix_of(columns.len(), columns.len(), &|a, b| {
         if a == b && is_absent(a) { 1.0 } else { columns[a].dot(&columns[b]) }
@@ -79,7 +81,8 @@ pub(super) fn rigid_motion(rates: &Problem) -> Option<Vector> {
     let largest = pushes.r.amax();
     for (k, &i) in touching.iter().enumerate() {
         let push = pushes.r.rows(3 * k, 3);
-        // A contact whose friction is within this fraction of its limit (friction coefficient times normal force) is taken as sliding.
+        // Contacts with less than this fraction of the largest force do not press. A pressing contact slides if its friction is within the same
+        // fraction of its limit, the friction coefficient times the normal force.
         let near = 1e-6;
         if push[0] <= near * largest {
             continue;
@@ -97,7 +100,7 @@ pub(super) fn rigid_motion(rates: &Problem) -> Option<Vector> {
 /// Adds the direction of `motion` to `basis`, an orthonormal basis of the motions that contacts resist, unless it depends linearly on the basis.
 fn resist(basis: &mut Vec<Vector>, motion: &Vector) {
     let rest = orthogonal_part(motion.clone(), basis);
-    // A motion depends linearly on the basis if less than this fraction of its norm remains after its components along the basis are removed.
+    // A motion counts as linearly dependent on the basis if removing its components along the basis leaves less than this fraction of its norm.
     if rest.norm() > 1e-9 * motion.norm() {
         basis.push(rest.normalize());
     }

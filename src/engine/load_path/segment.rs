@@ -1,6 +1,8 @@
 //! A segment describes one leg (section) of a load program, a ramp or a turn: the load and the spring offsets of contacts (commanded displacement
 //! minus clearance and slip) as functions of the load factor. The load changes linearly or turns, and commands change linearly. While contacts keep
-//! their states, forces and motions are linear functions, too, or harmonics of the load's angle.
+//! their states, forces and motions are linear functions, too, or harmonics of the load's angle. A piece is a part of a leg with fixed contact
+//! states. Along an arc, a piece on which directions of sliding turn, arclength takes the place of the load factor. The rate problem is the
+//! complementarity problem for the rates of forces and motion. A drive, the spring of a joint or tendon of a hand, is treated like a contact.
 
 use nalgebra::{Matrix, SVector};
 
@@ -15,8 +17,8 @@ use crate::numerics::{Each, IntoList, Vector, cleared_for, mapped, paired};
 use crate::object::{ForcesAndTwist, LinearProblem, Problem, largest_force};
 use crate::prelude::*;
 
-/// The load along one part of a load path (a leg between two loads, a growing load, or a turning load) as a function of the load factor. The offset of each contact's or drive's spring (command minus clearance and
-/// accumulated slip) changes linearly; its value at load factor 0 and its rate are stored.
+/// The load along one leg, ramp or turn as a function of the load factor. The offset of the spring of each contact or drive (command minus clearance
+/// and accumulated slip) changes linearly: its value at load factor 0 and its rate are stored.
 #[derive(Debug, Clone)]
 pub(super) struct Segment<'g> {
     pub(super) grasp: &'g Engine,
@@ -91,9 +93,9 @@ impl PathPoint {
 
 impl<'g> Segment<'g> {
     /// Forces, twist, gaps and their rates at the load factor `factor`, while contacts have the states `states`. If no spring resists some motion,
-    /// the twist is the solution nearest to `near`, and its rate the solution nearest to the twist rate `pushed`. `pushed` is the solution of a rate
-    /// problem in which contacts that touch without force may push the object along such a motion. Returns an error if forces cannot balance the load
-    /// or its rate.
+    /// many twists are solutions: the twist returned is the one nearest to `near`, and its rate the one nearest to `pushed`. `pushed` is the twist
+    /// rate that solves the rate problem (the complementarity problem for the rates of forces and motion), in which contacts that touch without force
+    /// may push the object along such a motion. Returns an error if forces cannot balance the load or its rate.
     pub(super) fn point_at(
         &self,
         states: &[State],
@@ -179,7 +181,8 @@ impl<'g> Segment<'g> {
             let (stretch, stretching) =
                 (site.stretch(&offsets[i], &twist), site.stretch(&change[i], &rate.twist));
             let span_rate = site.span_moved(&change[i], norm_of_rate);
-            // Accumulated slips are subtracted from the commands. If a slip and its command cancel, the rounding error of the slip remains.
+            // The size of the accumulated slip is added to the sizes of terms: the offset is a command minus this slip, and if both cancel, the
+            // rounding error of the slip remains.
             let memory = self.problem.slips[i].norm();
             let span_here = site.span_moved(&offsets[i], norm);
             let span =
@@ -273,7 +276,7 @@ impl<'g> Segment<'g> {
     }
 
     /// Computes the slip of a contact at the load factor `factor`, the twist `twist` and the contact force `force`. Adds it to the accumulated slip,
-    /// and subtracts it from the contact's offset. Contacts without tangential stiffness do not remember slip.
+    /// and subtracts it from the contact's offset. For contacts without tangential stiffness the slip is taken as zero, because it causes no force.
     pub(super) fn remember_slip(
         &mut self,
         contact: usize,

@@ -1,4 +1,6 @@
-//! Contact forces and twist as affine functions of the load factor and of the slips of sliding contacts. Also the rates of load factor and slips.
+//! Contact forces and twist as affine functions of the load factor and of the slips of sliding contacts, for a load that grows along a ramp (see
+//! `in_slips`). From these functions follow the rates of load factor and slips with which sliding contacts stay on the edges of their cones. The
+//! margin of a contact is μ F_n - |F_t|, the distance of its force from the edge of its cone.
 
 use nalgebra::SVector;
 
@@ -132,7 +134,8 @@ impl Slips<'_> {
         for (i, slip) in self.sliding.iter().zip(at[2..].chunks_exact(2)) {
             (slips[*i][1], slips[*i][2]) = (slip[0], slip[1]);
         }
-        // The slips are given by the state `at`. With every contact treated as sticking, no further slip is derived from its springs.
+        // The slips are known from the state `at`. For sticking contacts `counted_motions` uses these slips alone, while for sliding contacts it
+        // would add a slip derived from the springs. All contacts are therefore given as sticking.
         let states: Vec<State> = vec![Mode::Sticking; slips.len()];
         let standing = MotionData { offsets, slips: &slips, states: &states, forces, twist };
         self.grasp.counted_motions(&self.small, &standing)

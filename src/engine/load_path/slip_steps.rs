@@ -1,4 +1,6 @@
 //! A step along a growing load, and the first event in the step. The unknowns are the load factor and the slips of sliding contacts (see `in_slips`).
+//! Arclength is measured along the curve of the slips, divided by a unit of slip, and the load factor. A margin is the distance of a force from the
+//! edge of its friction cone. The conditions of this file have values that must stay positive along a step; [`GROWS`] lists them.
 
 use super::slip_rates::Slips;
 use super::tolerances::LITTLE_NORMAL_FORCE;
@@ -53,9 +55,9 @@ impl Slips<'_> {
         Some(SlipStep { length, at, rates: there, error, values })
     }
 
-    /// The step `end` from the state and rates `from`, shortened to end where the first condition of the list (see [`GROWS`]) becomes zero. Also the
-    /// index of that condition. Returns the whole step if no condition becomes zero. `None` if several conditions become zero together, or if the end
-    /// of the shortened step is not found.
+    /// The step `end` from the state and rates `from`, shortened to end where the value of the first condition of the list (see [`GROWS`]) becomes
+    /// zero. Also the index of that condition. Returns the whole step if no value becomes zero. `None` if several values become zero together, or if
+    /// the end of the shortened step is not found.
     pub(super) fn up_to_an_event(
         &self,
         from: (&[f64], &[f64]),
@@ -66,7 +68,7 @@ impl Slips<'_> {
         if start.iter().any(|value| *value <= 0.0) {
             return None;
         }
-        // A step within which a sticking contact leaves its cone and returns is shortened at most twenty times.
+        // If the force of a sticking contact leaves its cone and returns within the step, the step is shortened, at most twenty times.
         for _ in 0..20 {
             let mut event = None;
             if let Some(k) = first_crossing(&start, &end.values) {
@@ -82,9 +84,10 @@ impl Slips<'_> {
         None
     }
 
-    /// The step that ends where condition `k`, or another condition before it, becomes zero. Also the index of the condition that is zero. `None` if
-    /// thirty trials do not find it. Each trial is a step that ends at the root of a cubic polynomial. This cubic has the values of condition `k`,
-    /// and its derivatives with respect to arclength, at both ends of a bracket. As a rule the first trial is close enough.
+    /// The step that ends where the value of condition `k` becomes zero, or the value of another condition that becomes zero earlier. Also the index
+    /// of that condition. `None` if thirty trials do not find such a step. Each trial is a step that ends at the root of a cubic polynomial. This
+    /// cubic has the values of condition `k`, and its derivatives with respect to arclength, at both ends of a bracket. As a rule the first trial is
+    /// close enough.
     fn located(
         &self,
         from: (&[f64], &[f64]),
@@ -96,8 +99,8 @@ impl Slips<'_> {
         let mut high = (end.length, end.values[k], self.slope(k, (&end.at, &end.rates), end.length)?);
         let mut there = high;
         for _ in 0..30 {
-            // If the end of the step is this close to the root of the condition, as a fraction of the step, Heun's method is used. Its error, of
-            // third order in the distance, is then smaller than that of a repeated step.
+            // If the end of the step is within this fraction of its length from the root of the condition, Heun's method moves the end to the root.
+            // The error of this method is of third order in the distance, and then smaller than that of a repeated step.
             let rest = -there.1 / there.2;
             if rest.abs() <= 1e-4 * end.length {
                 return self.moved_to(k, end, rest).zip(Some(k));
@@ -117,8 +120,8 @@ impl Slips<'_> {
         None
     }
 
-    /// The end of a step, moved by Heun's method to where condition `k` becomes zero, an arclength of about `rest` away. `None` if the iteration
-    /// does not converge.
+    /// The end of a step, moved by Heun's method to where the value of condition `k` becomes zero, an arclength of about `rest` away. `None` if the
+    /// iteration does not converge.
     fn moved_to(&self, k: usize, mut end: SlipStep, mut rest: f64) -> Option<SlipStep> {
         let length = end.length;
         // Newton's method converges quadratically: after three iterations only rounding remains.
@@ -136,16 +139,16 @@ impl Slips<'_> {
             }
         }
         end.values = self.conditions(&end.at, &end.rates);
-        // The remaining arclength `rest` is then below the error of the step. At a maximum of the load factor, an error of arclength changes the
-        // load factor only by the square of the error.
+        // The end is accepted if the arclength `rest` still missing is small against the error of the step. At a maximum of the load factor, an error
+        // of arclength changes the load factor only by its square.
         (rest.abs() <= NEGLIGIBLE * length).then_some(end)
     }
 
     /// The derivative of the value of condition `k` with respect to arclength at the state `at`, from a difference over a millionth of `length`.
     /// `None` if the rates are not unique.
     fn slope(&self, k: usize, (at, rates): (&[f64], &[f64]), length: f64) -> Option<f64> {
-        // The arclength over which the difference quotient is taken. The derivative is accurate enough for each Newton iteration to gain six
-        // digits.
+        // The difference quotient is taken over this arclength. The derivative then has about six correct digits, so that each Newton iteration gains
+        // six digits.
         let little = 1e-6 * length;
         let ahead: Vec<f64> = paired(at, rates, &|(at, rate)| at + little * rate);
         let mut rates_ahead = vec![0.0; at.len()];
@@ -153,9 +156,9 @@ impl Slips<'_> {
         Some((self.condition(k, &ahead, &rates_ahead) - self.condition(k, at, rates)) / little)
     }
 
-    /// The least fraction of the step `end`, over the sticking contacts, at which a contact force is clearly outside its cone; the force may be
-    /// inside again at the end of the step. If it is not decided whether a force leaves its cone, the fraction for its contact is one half.
-    /// `None` if all forces stay inside their cones.
+    /// The fraction of the step `end` at which a sticking contact is outside its friction cone, by more than the error of margins; the least over all
+    /// sticking contacts. The force may be inside the cone again at the end of the step. If the interpolated force of a contact leaves open whether
+    /// it is ever outside, the fraction for this contact is one half: the caller then halves the step. `None` if all forces stay inside their cones.
     fn first_dip(&self, (at, rates): (&[f64], &[f64]), end: &SlipStep, tolerance: f64) -> Option<f64> {
         let mut first: Option<f64> = None;
         for i in self.sticking() {
@@ -215,8 +218,8 @@ fn between(low: (f64, f64, f64), high: (f64, f64, f64), to: f64) -> f64 {
     low.1 + part * (rise + (1.0 - part) * ((1.0 - part) * before + part * behind))
 }
 
-/// The index of the condition that becomes zero first, among those violated at the end of a step. Conditions are interpolated linearly between the
-/// ends of the step. `None` if no condition is violated.
+/// The index of the condition that is violated first in a step, among those violated at its end. The values of conditions are interpolated linearly
+/// between the ends of the step. `None` if no condition is violated.
 fn first_crossing(start: &[f64], end: &[f64]) -> Option<usize> {
     let part = |k: usize| start[k] / (start[k] - end[k]);
     lowest(&chosen(start.len(), &|k| end[*k] < 0.0), &|k| part(*k)).copied()

@@ -1,4 +1,5 @@
-//! Charts of the friction force of each contact along a load path, as a fraction of its limit. The base load acts before the load grows.
+//! Charts of the friction force of each contact along a load path, as a fraction of its limit. The base load acts from the start; the load of the
+//! question, times a load factor that grows from zero, acts in addition.
 
 use grasp_lcp::ask::Grasp;
 use grasp_lcp::picture::{Chart, chart_of_load, chart_of_program, chart_of_turn, charts_of_cycles};
@@ -6,12 +7,12 @@ use grasp_lcp::scene::{Answer, OnsetAnswer, Question, Setup};
 
 use crate::failure::Failure;
 
-/// The right end of the load factor axis, as a multiple of the largest load factor of interest. Factors of interest are 1 (the load itself), the
-/// factor at first slip, and the factor at which equilibrium is lost.
+/// The right end of the axis of load factors, divided by the largest load factor of interest, so that the curves go on a little beyond it. Factors of
+/// interest are 1 (the load itself), the factor at first slip, and the factor at which equilibrium is lost.
 const CHART_END: f64 = 1.25;
 
-/// The chart of the fraction of its friction limit that each contact uses along the load path of a question. `None` for a question without a load
-/// path.
+/// The chart of a question with a load path: for each contact one curve, the fraction of its friction limit that the contact uses along the path.
+/// `None` for a question without a load path.
 pub(super) fn chart(
     setup: &Setup<3>,
     grasp: &Grasp<3>,

@@ -77,8 +77,8 @@ fn said_first(says: &mut Vec<String>) -> String {
     if says.is_empty() { String::new() } else { says.remove(0) }
 }
 
-/// Saves the charts of the fraction of friction that each contact uses, one below the other for each question with a load path. Saves the charts of
-/// repeated loads, too.
+/// Saves two files of charts. The first has a chart for each question with a load path, one below the other: the fraction of its friction limit that
+/// each contact uses. The second has the charts of repeated loads.
 fn charts(setup: &Setup<3>, answers: &[Answer<3>], pictures: &Pictures) -> Result<(), Failure> {
     let (grasp, title) = (setup.grasp()?, pictures.title());
     let mut charts = Vec::new();

@@ -1,5 +1,5 @@
 //! The equilibria that pictures show for an answer; the grasp alone if the answer has no equilibrium. The base load acts before the load of the
-//! question grows.
+//! question grows. A drive is the motor or spring of a joint or tendon of a hand.
 
 use grasp_lcp::ask::Grasp;
 use grasp_lcp::equilibrium::{Equilibrium, Outcome};
@@ -139,8 +139,8 @@ fn shaken(shaken: Shaken<3>) -> ShownState {
     }
 }
 
-/// The answer to `need`: the grasp with the needed value of the sought quantity, such as squeeze. It is in equilibrium under the most demanding load
-/// of the question. If no value was found, the given grasp and the load alone.
+/// The answer to `need`: the grasp with the needed value of the sought quantity, such as squeeze. This grasp is shown in equilibrium under the most
+/// demanding load of the question. If no value was found, the given grasp is shown with the load alone.
 fn needed(grasp: &Grasp<3>, need: &Need<3>, needed: &Needed) -> Result<ShownState, Failure> {
     let (amount, label) = match &needed.amount {
         Amount::Bound { sufficient, .. } => (Some(*sufficient), "with what it needs"),
@@ -154,8 +154,8 @@ fn needed(grasp: &Grasp<3>, need: &Need<3>, needed: &Needed) -> Result<ShownStat
     })
 }
 
-/// The improved grasp and the original grasp. Each is shown under the load at first slip or, if the largest margin to the friction limit is the goal,
-/// under the full load. Without such a load it is shown under the base load.
+/// The improved grasp and the original grasp. Each is shown in equilibrium under the load at first slip or, if the goal is the largest margin to the
+/// friction limit, under the full load. If this load is not known or infinite, it is shown under the base load.
 fn improved(
     grasp: &Grasp<3>,
     asked: &Improve<3>,
@@ -260,7 +260,7 @@ fn followed(path: PathAnswer<3>, start: &Wrench<3>, legs: usize, words: Words) -
     states
 }
 
-/// The equilibrium at an event, with the contacts and drives that change their state at this event.
+/// The picture of an event: the equilibrium at the event, with a label that names the contacts and drives that change their state.
 fn changed(event: Event<3>, words: Words) -> ShownState {
     let contacts = event.whole_changes();
     let contacts =

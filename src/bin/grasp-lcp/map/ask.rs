@@ -1,4 +1,5 @@
-//! The question for one direction of a map, and its answer.
+//! The question for one direction of a map (at which force in this direction the first contact slips) and its answer. Also the base load of a map, a
+//! constant load that acts in addition.
 
 use grasp_lcp::Error;
 use grasp_lcp::load_path::{DepartingContact, Onset, Ramp};
@@ -62,7 +63,7 @@ pub(crate) fn first<const C: usize>(grasp: &Grasp<C>, ramp: &Ramp<C>) -> Result<
             let mut verbs: Vec<_> = event.leaving.iter().map(DepartingContact::verb).collect();
             verbs.sort_unstable();
             verbs.dedup();
-            // Many points of a soft fingertip stop sticking at once, and count as one contact.
+            // The points of a soft fingertip that stop sticking count as one contact.
             let contacts = verbs.into_iter().rev().flat_map(|verb| {
                 let does = |i: usize| {
                     event.leaving.iter().any(|left| left.contact.index == i && left.verb() == verb)

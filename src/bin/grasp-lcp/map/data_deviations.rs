@@ -37,8 +37,8 @@ impl DataDeviations {
         Uncertainty::seeded(0).with_friction(friction).with_stiffness(stiffness).with_squeeze(squeeze)
     }
 
-    /// For tables and pictures, in words: first the standard deviations of friction, stiffness and squeeze. Then the number of standard deviations by
-    /// which these data may deviate before a contact slides.
+    /// Two lines of text for tables and pictures: the number of standard deviations by which data may deviate before a contact slides, and the
+    /// standard deviations of friction, stiffness and squeeze.
     pub(super) fn words(&self) -> [String; 2] {
         let words = Words::default();
         let number = |x: f64| words.number(x);
@@ -50,8 +50,8 @@ impl DataDeviations {
         ]
     }
 
-    /// In JSON: the relative standard deviations of friction, stiffness and squeeze. Also the number of standard deviations by which these data may
-    /// deviate before a contact slides.
+    /// A JSON object with the relative standard deviations of friction, stiffness and squeeze. Its field `sigmas` is the number of standard
+    /// deviations by which these data may deviate before a contact slides.
     pub(super) fn written(&self) -> serde_json::Value {
         let [friction, stiffness, squeeze] = self.parts();
         serde_json::json!({ "friction": friction, "stiffness": stiffness, "squeeze": squeeze, "sigmas": self.sigmas })

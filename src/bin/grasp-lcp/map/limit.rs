@@ -1,4 +1,4 @@
-//! The end of the load path in one direction of a map.
+//! The end of the load path in one direction of a map. Along this path a force in this direction grows from zero in addition to the base load.
 
 use grasp_lcp::Error;
 use grasp_lcp::equilibrium::TooFar;
@@ -126,7 +126,7 @@ impl LimitForce {
     }
 }
 
-/// As text, the number of load paths for each way in which paths end, such as a limit load or a snap.
+/// The number of load paths for each way in which paths end, as text, such as "limit load 40, snap 2".
 pub(crate) fn count(lasts: &[LimitForce]) -> String {
     let parts = LimitEnd::ALL.into_iter().filter_map(|end| {
         let count = lasts.iter().filter(|last| last.end == end).count();

@@ -1,9 +1,10 @@
-//! Forces in every direction at first slip and at the end of the load path, with the weakest direction.
+//! The command `map`. A force acts at one point and in one direction after the other. For each direction the map has the force at first slip and the
+//! force at the end of the load path. The weakest direction is that of the least force at first slip.
 //!
 //! First slip and the weakest direction are computed directly. The map also has a smaller force, which allows for uncertain friction, stiffness and
-//! clamping force. Under it these data may deviate by a number of standard deviations before a contact slides. In each direction the load path is
-//! followed from event to event, with the slips so far, to the load at which equilibrium is lost. The answer distinguishes limit loads, beyond which
-//! no equilibrium exists, from snaps, beyond which the grasp may or may not reach another equilibrium.
+//! clamping force. Under this smaller force, these data may deviate by a given number of standard deviations before a contact slides. In each
+//! direction the load path is followed from event to event, with the slips so far, to the load at which equilibrium is lost. The answer distinguishes
+//! limit loads, beyond which no equilibrium exists, from snaps, beyond which the grasp may or may not reach another equilibrium.
 
 mod ask;
 mod data_deviations;

@@ -1,4 +1,4 @@
-//! The table of a map, one row for each direction.
+//! The table of a map: one row for each direction of the force, with the force at first slip and the force at the end of the load path.
 
 use grasp_lcp::words::Words;
 

@@ -1,4 +1,5 @@
-//! The map of all directions in space: maps of the sphere and a table. The base load acts in addition to the force of the map.
+//! The map of a grasp in space. A force acts at one point. For each of its directions the map has the force at first slip and the force at which the
+//! load path ends. The map is printed as a table, and drawn on the sphere of directions. The base load acts in addition to this force.
 
 use std::time::Duration;
 
@@ -19,7 +20,7 @@ use crate::files::Pictures;
 
 /// The grid of force directions in which load paths are followed: number of rings from pole to equator, and number of directions on a ring.
 const PATH_GRID: (usize, usize) = (16, 42);
-/// Time limit of a sweep over load paths.
+/// Time limit of the load paths in all directions of the grid together.
 const MOST_PATH_TIME: Duration = Duration::from_secs(120);
 
 pub(crate) fn map(
@@ -51,7 +52,8 @@ pub(crate) fn map(
             "no direction has an onset above zero: the grasp carries nothing more".to_owned(),
         ));
     };
-    // The exact weakest direction if all contacts are closed and stick under the base load; otherwise the weakest direction of the map.
+    // The direction of the least force at first slip. It is exact if all contacts are closed and stick under the base load; otherwise it is the
+    // weakest direction of the grid.
     let (weakest, onset) = ask::weakest(&quick, &base, at)?.unwrap_or((directions[nearest], least));
 
     let coarse = SphereGrid::new(PATH_GRID.0, PATH_GRID.1);
@@ -103,7 +105,8 @@ pub(crate) fn map(
     }
 }
 
-/// For each direction in `ways` the end of a load path, along which the load grows in this direction; `None` if the paths take too long.
+/// For each direction in `ways`, the end of the load path along which a force in this direction grows from zero up to `most`, N. `None` if the paths
+/// take too long, or if the grasp has too many contact points.
 fn load_paths(
     grasp: &Grasp,
     watch: MapProgress,
@@ -115,8 +118,8 @@ fn load_paths(
         return Ok(None);
     }
     let quick = ask::quick(grasp);
-    // Enumerating combinations of contact states takes most of the time. It is used only in directions in which the end of the load path is unknown
-    // without it.
+    // Enumerating combinations of contact states takes most of the time. They are enumerated only in directions in which the end of the load path is
+    // otherwise unknown.
     Ok(watch.sweep("load paths", ways, MOST_PATH_TIME, |d| {
         let last = limit::last(&quick, base, pull(*d), most)?;
         let known = last.end != LimitEnd::Unknown;
@@ -184,7 +187,8 @@ impl Drawing<'_> {
         self.save("_map_limit.svg", map, &ends)
     }
 
-    /// Writes a map with the notes of every map, the names of the contacts and one more note.
+    /// Saves the picture of a map in a file whose name ends in `end`. Below it stand the notes that all maps share, and the note `note`. Contact
+    /// normals are marked with the names of the contacts, if they are few.
     fn save(&self, end: &str, map: SphereMap, note: &str) -> Result<(), Failure> {
         let note_of_all = "Crosses: contact normals, the way the finger pushes. Equal areas are equal solid angles. \
                            Rings: angle from ±z.";

@@ -1,4 +1,4 @@
-//! Shows the progress of a sweep over directions, and stops it if it takes too long.
+//! Shows the progress of a sweep, i.e. of the same computation for every direction of a map, and stops the sweep if it takes too long.
 
 use std::io::{self, IsTerminal};
 use std::ops::ControlFlow;
@@ -20,7 +20,8 @@ pub(crate) struct MapProgress {
 }
 
 impl MapProgress {
-    /// Calls `f` for every item in parallel. Returns all answers in order, or the first error; `None` if the sweep takes longer than `most`.
+    /// Calls `f` for every item in parallel, and meanwhile shows `what` and the number of answers so far. Returns all answers in order, or the first
+    /// error; `None` if the sweep takes longer than `most`.
     pub(crate) fn sweep<T: Sync, R: Send>(
         self,
         what: &'static str,

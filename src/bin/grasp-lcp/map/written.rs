@@ -1,4 +1,4 @@
-//! A map as JSON.
+//! A map as JSON: for forces of every direction at one point, the force at first slip and the force at which the load path ends.
 
 use serde_json::{Value, json};
 
