@@ -1,7 +1,8 @@
 //! Verdicts on many grasps, on all cores. A row of the batch is one grasp with its base load and its growing load.
 //!
-//! In most rows every contact sticks, and [`screening`](crate::screening) shows this quickly: the first slip lies beyond the whole load, and the
-//! rotation stays within the limit of small motions (up to which the linear theory is trusted). For all other rows a load path is computed.
+//! In most rows every contact sticks. [`screening`](crate::screening), a fast computation of the first slip of many grasps, shows this: the first
+//! slip lies beyond the whole load. The rotation of the object also has to stay within the limit of small motions, up to which the linear theory is
+//! trusted. For all other rows a load path is computed.
 
 use core::ops::Range;
 
@@ -20,12 +21,11 @@ impl<const C: usize> Grasp<C> {
     /// The verdicts on many loads, each on a grasp of its own, on all cores. A row is one grasp with its base load and growing load; `row` returns
     /// the row with a given index, from 0. The verdicts equal the verdicts of [`Self::hold`], without sentences, lists of contacts and equilibria.
     ///
-    /// With [`Settings::most_load`] at 1 loads are followed no farther than the whole load. A row of two to 64 points in which everything sticks then
-    /// takes a few microseconds; [`screening`](crate::screening) says which contacts it supports. The load factor of the first slip comes from
-    /// screening and equals that of [`Self::hold`] up to rounding. If contacts slide one after another, and none opens or sticks again, a row takes
-    /// some ten times as long, and its factors differ from those of [`Self::hold`] by the error of steps, [`Settings::step_error`]. Any other row
-    /// takes as long as [`Self::hold`]. Where screening shows that everything sticks, buckling is not checked
-    /// ([`TooFar::Buckles`](crate::equilibrium::TooFar::Buckles)).
+    /// If [`Settings::most_load`] is 1, loads are followed no farther than the whole load. A row of two to 64 contact points that all stick then
+    /// takes a few microseconds; [`screening`](crate::screening) says which contacts it supports. Its load factor of first slip equals that of
+    /// [`Self::hold`] up to rounding. A row in which contacts slide one after another, and none opens or sticks again, takes some ten times as long.
+    /// Its load factors have the error [`Settings::step_error`] of a path followed in steps. Any other row takes as long as [`Self::hold`]. Where
+    /// screening shows that everything sticks, buckling is not checked ([`TooFar::Buckles`](crate::equilibrium::TooFar::Buckles)).
     ///
     /// The verdicts are in the order of the rows, with the same bits for any number of threads. An error in one row does not stop the other rows.
     ///

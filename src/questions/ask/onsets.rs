@@ -1,5 +1,5 @@
-//! The load factor or the angle at which the first contact stops sticking. A ramp is a load, or commands of fingers, that grow in proportion to a
-//! load factor.
+//! The load factor or the angle at which the first contact stops sticking. On a ramp the load, the commands of fingers (displacements that they would
+//! make without the object), or both change in proportion to a load factor.
 
 use super::grasp::Grasp;
 use crate::equilibrium::Equilibrium;
@@ -9,8 +9,9 @@ use crate::load_path::{Beyond, Onset, OnsetEvent, Ramp, Turn, TurnOnset};
 
 impl<const C: usize> Grasp<C> {
     /// The load factor at which the first contact stops sticking as a load grows from zero, or along a [`Ramp`]. The answer names the contacts that
-    /// stop sticking, and whether they slide or open. It is exact in the plane, and in space on the round cone. It needs neither steps nor bisection:
-    /// a linear equation for each facet in the plane, a quadratic equation for each contact on the round cone.
+    /// stop sticking, and whether they slide or open. The load factor is exact up to rounding, in the plane and in space on the round cone. It is
+    /// computed without steps or bisection: in the plane from a linear equation for each edge of a friction cone, on the round cone from a quadratic
+    /// equation for each contact.
     ///
     /// One more call each gives the equilibrium at first slip, [`Self::state_at_onset`], and the behaviour just beyond the first slip,
     /// [`Self::beyond`].
