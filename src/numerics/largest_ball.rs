@@ -22,7 +22,7 @@ use crate::prelude::*;
 /// Bounds of the radius of the largest ball about the origin in a convex set.
 #[derive(Debug, Clone)]
 pub(crate) struct BallBounds {
-    /// Lower bound of the radius; negative if the origin lies outside the polytope.
+    /// Lower bound of the radius, the distance of the closest face of the polytope; negative if the origin lies outside the polytope.
     pub(crate) at_least: f64,
     pub(crate) at_most: f64,
     /// Unit direction in which the set extends no farther than `at_most`.
@@ -150,8 +150,9 @@ impl Polytope {
     }
 }
 
-/// Bounds of the radius of the largest ball about the origin in the set with this support function. They differ by at most `closeness` times the
-/// size of the set, unless the search ends early, after `most_points` points. `None` if the polytope has no face.
+/// Bounds of the radius of the largest ball about the origin in the set with this support function. They differ by at most `closeness` times the size
+/// of the set, unless the search ends early: after `most_points` points, with too many faces, or because of rounding. `None` if the polytope has no
+/// face.
 pub(crate) fn largest_ball(
     support: &SupportFunction<'_>,
     simplex: &[Vertex],
@@ -176,7 +177,8 @@ pub(crate) fn largest_ball(
         now.at_least = distance.min(now.at_most);
         let (at_most, close) = (now.at_most, closeness * next.norm());
         bounds = Some(now);
-        // If in some direction the set does not extend beyond the origin, it contains no ball about the origin, and more points would not help.
+        // The search ends if the bounds are close. It also ends if the upper bound is nearly zero: the set then contains no ball about the origin,
+        // and more points would not help.
         if at_most - distance <= close || at_most <= close {
             break;
         }

@@ -41,7 +41,8 @@ pub(crate) fn normal_tail(x: f64) -> f64 {
 }
 
 /// The probability that two standard normal variables with the correlation ρ exceed a and b, both above -8. The relative error is 1e-4 up to ρ =
-/// 0.99, and a few 1e-3 for ρ closer to 1. `tails` has Φ(-a) and Φ(-b), since sums over pairs need each of them often:
+/// 0.99, and a few 1e-3 for ρ closer to 1. `tails` has Φ(-a) and Φ(-b): a caller that sums over many pairs computes each tail only once. The
+/// probability is
 ///
 /// ```text
 /// Φ(-a) Φ(-b) + 1/(2π) ∫ exp(-(a² + b² - 2ab sin θ) / (2 cos² θ)) dθ      from 0 to asin ρ

@@ -45,8 +45,8 @@ impl Pressing {
         &self.tangents * self.velocity(motion).normalize() * -self.friction
     }
 
-    /// The derivative of a sliding contact's friction wrench if the motion of the object changes at the rate `by`: the magnitude of the friction
-    /// force stays the same, and its direction rotates with the sliding velocity.
+    /// The derivative of a sliding contact's friction wrench if the motion of the object changes at the rate `by`. The friction force keeps its
+    /// magnitude and rotates with the sliding velocity.
     pub(super) fn turning(&self, motion: &DVector<f64>, by: &DVector<f64>) -> DVector<f64> {
         let (v, change) = (self.velocity(motion), self.velocity(by));
         let aside = &change - &v * (v.dot(&change) / v.norm_squared());

@@ -100,8 +100,8 @@ impl<const C: usize> Slip<C> {
         /// This slip under a load that grew in addition to a base load, such as a weight, which acted before and stayed constant.
         pub fn on_top_of(mut self, base: Wrench<C>) { self.base = Some(base); }
 
-        /// This slip with a factor on the squeeze of the grasp. If the squeeze was loosened until the object slipped, `factor` is its value at the slip,
-        /// and the scatter of the slip is the scatter of this factor.
+        /// This slip with a factor on the squeeze of the grasp. If the squeeze was loosened until the object slipped, `factor` is the part of the
+        /// squeeze that was left at the slip. The scatter of the slip is then the scatter of this factor.
         pub fn squeezed(mut self, factor: f64) { self.squeeze = Some(factor); }
 
         /// This slip in another layout (arrangement of the contact points): 0 is the grasp of the question. Then come the layouts of
@@ -129,8 +129,8 @@ impl Slip<3> {
     }
 
     /// Returns this slip with its load split in two, if nothing but this load presses on the contacts. The component against the mean of the contact
-    /// normals, as a rule a weight, becomes the base load; only the rest grows. If both parts grew together, the object would slide at once, or
-    /// never.
+    /// normals, as a rule a weight, becomes the base load; only the rest grows. If both parts grew together, friction and normal forces would grow in
+    /// the same proportion, so that the object would slide at once, or never.
     pub(super) fn with_weight_at_rest(mut self, grasp: &Grasp<3>) -> Self {
         let SlipLoad::Load(load) = self.growing_load() else { return self };
         let is_plain = |contact: &Contact<3>| contact.hold == Hold::Unilateral;
@@ -152,8 +152,8 @@ impl Slip<3> {
         {
             return self;
         }
-        // The moment about the centroid of the contacts is split in the same ratio as the force. In the plane both forces then act through one point
-        // of the whole load's line.
+        // The moment about the centroid of the contacts is split in the same ratio as the force. In the plane the lines of both forces then meet on
+        // the line of the whole load.
         let weight = along * -pressed;
         let about = load - Wrench::force_through(&centre, &force);
         let share = weight.dot(&force) / force.norm_squared();

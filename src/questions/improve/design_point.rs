@@ -171,8 +171,8 @@ impl<'q> DesignSpace<'q> {
         design_point
     }
 
-    /// The first tangent of the contact frame at the place `location`. The frame with the first tangent `from` is tilted with the normal, without a
-    /// rotation about the normal. The result is `from` if there is no place.
+    /// The first tangent of the contact frame at the place `location`. It is the tangent `from`, projected on the tangent plane of the new place, so
+    /// that the frame does not turn about the normal. `from` itself for a contact without a surface.
     fn tangent(
         &self,
         contact: usize,

@@ -1,5 +1,5 @@
-//! The loads of a question, and the load factor of first slip of a grasp under them: the multiple of a load at which the first contact stops
-//! sticking. The base load acts before the other loads grow. The goal, first slip or a reserve of friction, is the value that the search maximises.
+//! The loads of a question, and the load factor of first slip under them. It is the multiple of a load at which the first contact stops sticking. The
+//! base load acts before the other loads grow. The goal, first slip or a reserve of friction, is the value that the search maximises.
 
 use super::goal::ImproveGoal;
 use super::question::Improve;
@@ -16,8 +16,8 @@ pub(super) struct LoadSet {
     pub(super) base: Wrench<3>,
     pub(super) loads: Vec<Wrench<3>>,
     pub(super) goal: ImproveGoal,
-    /// The point, m, and the size, N, of a force of any direction; `loads` then has one load per axis, this force along that axis. `None` if each
-    /// load acts alone, one after the other.
+    /// The point, m, and the size, N, of a force of any direction. `loads` then holds the force of this size along each coordinate axis. `None` if
+    /// the loads of the question are single loads, which act one at a time.
     pub(super) any: Option<([f64; 3], f64)>,
 }
 

@@ -108,8 +108,8 @@ impl Surface<3> {
         Self(Shape::Sphere { centre: centre.into().into(), radius })
     }
 
-    /// Triangles, such as the triangles of a mesh, by their corners, m, in all triangles clockwise or in all counterclockwise, seen from outside. The
-    /// search for better places moves a contact from one triangle to the next if that increases the value of the goal.
+    /// Triangles, such as the triangles of a mesh, by their corners, m. Seen from outside, the corners of all triangles must follow each other in the
+    /// same sense. The search for better places moves a contact from one triangle to the next if that increases the value of the goal.
     pub fn triangles(corners: impl IntoIterator<Item = [[f64; 3]; 3]>) -> Self {
         Self(Shape::Triangles(corners.into_iter().map(|corners| corners.each(SVector::from)).list()))
     }
