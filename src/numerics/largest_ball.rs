@@ -39,7 +39,7 @@ struct Face {
     is_alive: bool,
 }
 
-/// A face of the polytope in the queue, in which the face closest to the origin comes first.
+/// An entry of the queue of faces, which is ordered such that the face closest to the origin comes first.
 struct QueuedFace {
     distance: f64,
     face: usize,
@@ -78,7 +78,7 @@ struct Polytope {
 }
 
 impl Polytope {
-    /// The simplex of some vertices, one more than the dimension.
+    /// The first polytope: the simplex with these vertices, one more than the number of dimensions.
     fn of(simplex: &[Vertex]) -> Self {
         let size = Size::of(simplex.len() - 1);
         let points: Vec<_> = mapped(simplex, &|vertex| vertex.at.clone());

@@ -109,9 +109,9 @@ mod tests {
         assert!((normal_density(0.0) - FRAC_1_SQRT_2 / PI.sqrt()).abs() < 1e-16);
     }
 
-    /// Two normal variables with the correlation ρ are compared with the bounds a and b. Both exceed zero with the probability `1/4 + asin ρ / 2π`.
-    /// With ρ = 1 both are the same variable, and the greater bound counts. Otherwise, given the value x of the first variable, the second exceeds b
-    /// with the probability `Φ(-(b - ρx) / √(1 - ρ²))`. This is integrated with the density φ(x) over x > a.
+    /// Reference values for the probability that two normal variables with the correlation ρ exceed the bounds a and b. For a = b = 0 it is
+    /// `1/4 + asin ρ / 2π`. With ρ = 1 both are the same variable, and the greater bound counts. Otherwise, if the first variable has the value x,
+    /// the second exceeds b with the probability `Φ(-(b - ρx) / √(1 - ρ²))`. This is integrated with the density φ(x) over x > a.
     #[test]
     fn two_tails_are_those_of_closed_forms() {
         let near = |value: f64, exact: f64| assert!((value / exact - 1.0).abs() < 3e-3, "{value} {exact}");

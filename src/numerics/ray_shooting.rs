@@ -89,8 +89,8 @@ fn matrix(vertices: &[Vertex], origin: &Vector) -> Square {
     Square::from_columns(Size::of(vertices.len()), |k| &vertices[k].at - origin)
 }
 
-/// The face of the simplex through which the ray from its middle passes, with the coefficients β. It is the face with the largest minimum of β;
-/// `None` if rounding corrupts all faces.
+/// The face of the simplex through which the ray from its middle passes, with the coefficients β. The ray passes through the face whose β are all
+/// positive; against rounding, the face whose least β is largest is taken. `None` if rounding corrupts all faces.
 fn first_face(simplex: &[Vertex], origin: &Vector, ray: &Vector) -> Option<(Vec<Vertex>, Vector)> {
     let mut best: Option<(Vec<Vertex>, Vector, f64)> = None;
     for without in 0..simplex.len() {

@@ -28,7 +28,7 @@ pub(crate) const SOLVED_ROUNDING: f64 = 1e-12;
 /// own error. If larger, measurable effects are omitted.
 pub(crate) const NEGLIGIBLE: f64 = 1e-9;
 
-/// A step of fraction t is accepted if it reduces the error by at least this fraction of the decrease predicted by the linearisation.
+/// The fraction t of a Newton step is accepted if it reduces the error by at least this part of the decrease that the linearisation predicts.
 ///
 /// This is Armijo's rule. With a value near 1, full Newton steps would be rejected. With the value 0, steps without progress would be accepted, and a
 /// search could cycle.

@@ -21,13 +21,15 @@ impl<const C: usize> Grasp<C> {
     /// The verdicts on many loads, each on a grasp of its own, on all cores. A row is one grasp with its base load and growing load; `row` returns
     /// the row with a given index, from 0. The verdicts equal the verdicts of [`Self::hold`], without sentences, lists of contacts and equilibria.
     ///
-    /// If [`Settings::most_load`] is 1, loads are followed no farther than the whole load. A row of two to 64 contact points that all stick then
-    /// takes a few microseconds; [`screening`](crate::screening) says which contacts it supports. Its load factor of first slip equals that of
-    /// [`Self::hold`] up to rounding. A row in which contacts slide one after another, and none opens or sticks again, takes some ten times as long.
-    /// Its load factors have the error [`Settings::step_error`] of a path followed in steps. Any other row takes as long as [`Self::hold`]. Where
-    /// screening shows that everything sticks, buckling is not checked ([`TooFar::Buckles`](crate::equilibrium::TooFar::Buckles)).
+    /// If [`Settings::most_load`] is at most 1, loads are followed no farther than the whole load, and screening is used. A row of two to 64 contact
+    /// points that all stick then takes a few microseconds; [`screening`](crate::screening) says which contacts it supports. Its load factor of first
+    /// slip equals that of [`Self::hold`] up to rounding. A row in which contacts slide one after another, and none opens or sticks again, takes some
+    /// ten times as long. Its load factors have the error [`Settings::step_error`] of a path followed in steps. Any other row takes as long as
+    /// [`Self::hold`]. Where screening shows that everything sticks, buckling is not checked
+    /// ([`TooFar::Buckles`](crate::equilibrium::TooFar::Buckles)).
     ///
-    /// The verdicts are in the order of the rows, with the same bits for any number of threads. An error in one row does not stop the other rows.
+    /// The verdicts are in the order of the rows, and the same to the last bit for any number of threads. An error in one row does not stop the other
+    /// rows.
     ///
     /// ```
     /// use grasp_lcp::Settings;

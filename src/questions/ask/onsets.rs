@@ -13,8 +13,8 @@ impl<const C: usize> Grasp<C> {
     /// computed without steps or bisection: in the plane from a linear equation for each edge of a friction cone, on the round cone from a quadratic
     /// equation for each contact.
     ///
-    /// One more call each gives the equilibrium at first slip, [`Self::state_at_onset`], and the behaviour just beyond the first slip,
-    /// [`Self::beyond`].
+    /// From the event in the answer, [`Self::state_at_onset`] computes the equilibrium at first slip, and [`Self::beyond`] the behaviour just beyond
+    /// it.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Ramp, Wrench};
@@ -71,8 +71,9 @@ impl<const C: usize> Grasp<C> {
         self.engine.beyond(&inside(event), &self.settings).map(outside)
     }
 
-    /// The angle of the load at which the first contact stops sticking while the load turns: exact in the plane, and in space on the round cone. It
-    /// needs no steps: each margin is a trigonometric polynomial, whose roots are isolated between its extrema, so that no root is missed.
+    /// The angle at which the first contact stops sticking while the load turns. It is exact up to rounding, in the plane and in space on the round
+    /// cone. No steps are needed: the condition of each contact is a trigonometric polynomial of the angle. Its roots are isolated between its
+    /// extrema, so that none is missed.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Onset, Turn};

@@ -17,7 +17,8 @@ pub type RowOf<'a, const C: usize> = dyn Fn(usize, &mut Vec<Contact<C>>) -> [Wre
 /// Number of rows in one task of a thread, few enough for their data to fit in the cache of a core.
 const CHUNK: usize = 256;
 
-/// The answers of all rows, in the order of the rows. `answers` answers a range of rows; each core works on one such range at a time.
+/// The answers for all rows, in the order of the rows. `answers` computes the answers for a range of rows; each core works on one such range at a
+/// time.
 pub(crate) fn answers_of_rows<T: Send>(
     rows: usize,
     answers: &(dyn Fn(Range<usize>) -> Vec<T> + Sync),

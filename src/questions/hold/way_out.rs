@@ -1,5 +1,5 @@
-//! The motion of a loss (the end of equilibrium under a growing load) in everyday words: the object lifts off, slides out, tips over or turns, or
-//! several bodies move apart.
+//! The motion with which the object leaves at a loss, the end of equilibrium under a growing load. It has an everyday name: the object lifts off,
+//! slides out, tips over or turns, or several bodies move apart.
 
 use nalgebra::SVector;
 

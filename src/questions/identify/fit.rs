@@ -157,8 +157,8 @@ pub(super) fn fitted(model: &Model<'_>) -> Result<Fitted, Error> {
     Ok(fit)
 }
 
-/// A start for a second search; `None` if `fit` needs none. It is needed if the predicted load of some slip differs from the observed one, but does
-/// not depend on friction. (More exactly, on no unknown that [`changing`] selects.) Example: the model predicts that a box tips, whereas with less
+/// A start for a second search; `None` if `fit` needs none. It is needed if the predicted load of some slip differs from the observed one, but
+/// depends on no unknown that [`changing`] selects: on no friction, for example. Example: the model predicts that a box tips, whereas with less
 /// friction it would slide before. The selected unknowns are halved if the slip was observed below its prediction, else doubled, until the prediction
 /// depends on them; at most twelve times.
 fn off_the_plateau(model: &Model<'_>, fit: &Fitted) -> Result<Option<(Vec<f64>, Linear)>, Error> {

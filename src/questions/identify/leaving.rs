@@ -115,7 +115,7 @@ impl<'a, 's> GrossSlip<'a, 's> {
         self.pressing.iter_mut().filter(|contact| contact.sticks)
     }
 
-    /// The sum of all wrenches on the object, of the loads and of pressing contacts; zero in equilibrium.
+    /// The sum of the wrenches that loads and pressing contacts exert on the object; zero in equilibrium.
     fn residual(&self) -> DVector<f64> {
         let mut sum = self.one_length(&self.target.load_at(self.at));
         for contact in &self.pressing {
@@ -252,8 +252,8 @@ impl Equations {
         ((component - 1.0).abs() <= INDISTINCT).then_some(Self { springs, turns, matrix, scales, parts })
     }
 
-    /// The solution of the linearised equations for the right-hand side `change`. Among least-squares solutions it has the least norm in units of the
-    /// scaled columns.
+    /// The solution of the linearised equations for the right-hand side `change`. Among least-squares solutions it has the least norm, each unknown
+    /// measured in the unit in which its column of `matrix` has length one.
     fn solved(&self, change: &DVector<f64>) -> DVector<f64> {
         self.parts.solve(change, NEGLIGIBLE).component_mul(&self.scales)
     }

@@ -1,4 +1,5 @@
-//! The wrenches of a contact on the object as the object leaves at gross slip (the loss of the object).
+//! The wrenches that contacts exert on the object as it leaves at gross slip (the loss of the object): of normal forces, of friction, and their
+//! derivatives.
 
 use nalgebra::{DMatrix, DVector, SVector};
 
@@ -54,7 +55,7 @@ impl Pressing {
     }
 }
 
-/// The contacts that press under the contact forces `forces`, and the contacts that cannot open. Moments are divided by `length`.
+/// The contacts with a pressing force in `forces`, and all contacts that cannot open. Moments in their wrenches are divided by `length`.
 pub(super) fn pressing(target: &SlipToPredict<'_>, forces: &[SVector<f64, 3>], length: f64) -> Vec<Pressing> {
     let (space, contacts) = (target.grasp.engine.space(), target.grasp.contacts());
     let largest = largest(forces, &|force| force[0].abs());

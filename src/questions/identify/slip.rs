@@ -119,8 +119,7 @@ impl<const C: usize> Slip<C> {
 }
 
 impl Slip<3> {
-    /// Whether both slips are of one kind, under the same loads, squeeze and layout, so that their predictions are equal; scatter and group may
-    /// differ.
+    /// Whether both slips are of one kind, under the same loads, squeeze and layout. Their predictions are then equal; scatter and group may differ.
     pub(super) fn is_like(&self, other: &Self) -> bool {
         (self.load, self.kind, self.layout, self.squeeze)
             == (other.load, other.kind, other.layout, other.squeeze)
@@ -199,7 +198,8 @@ impl Slip<3> {
         }
     }
 
-    /// An error for values of this slip that no observation can have; `number` is the slip's number, `layouts` the number of layouts.
+    /// An error if a value of this slip is out of range, or if it has not exactly one of load and turn. `number` is the index of the slip, for the
+    /// message, `layouts` the number of layouts.
     pub(super) fn check(&self, number: usize, space: Space, layouts: usize) -> Result<(), Error> {
         let wrong = |field, value, allowed| {
             Err(Error::Identify { what: format!("slip {number}"), field, value, allowed })

@@ -80,9 +80,10 @@ pub(super) fn identified(model: &Model<'_>, fit: &Fitted) -> Identified {
 
 /// The data at the solution from which the standard errors of the logarithms of the unknowns are computed.
 struct Spread {
-    /// Singular values of the derivatives of all predictions, each row divided by its standard deviation; the largest first.
+    /// Singular values of the matrix of derivatives of all predictions, each row weighted by the inverse of its standard deviation; the largest
+    /// first.
     values: Vec<f64>,
-    /// Right singular vectors of the weighted derivatives, as columns.
+    /// Right singular vectors of the same matrix, as columns: directions in the logarithms of the unknowns.
     directions: DMatrix<f64>,
     /// Number of independent linear combinations of the unknowns that the observed slips and the known sums determine.
     rank: usize,

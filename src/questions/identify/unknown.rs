@@ -85,8 +85,8 @@ impl Unknown {
         Self::of(UnknownKind::Squeeze)
     }
 
-    /// The factor on the given tangential stiffness. As a rule, gross slip under a load does not depend on tangential stiffness, and first slip only
-    /// on ratios.
+    /// The factor on the given tangential stiffness. First slip depends on ratios of tangential stiffnesses only. Gross slip as a rule does not
+    /// depend on them, because all friction is then exhausted.
     pub fn stiffness() -> Self {
         Self::of(UnknownKind::Stiffness)
     }

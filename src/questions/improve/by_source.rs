@@ -33,7 +33,8 @@ pub(super) struct StickingForces {
     pub(super) grasp: Grasp<3>,
     /// For each contact whether it is left open: it touches without force and counts as open.
     pub(super) open: Vec<bool>,
-    /// Indices of the loads whose first slips are computed from these forces.
+    /// Indices of the loads whose sticking conditions are evaluated with these forces. Other loads close some of the open contacts, and have forces
+    /// of their own.
     pub(super) judged: Vec<usize>,
     sources: Vec<ForcesAndTwist>,
     /// For each source and contact the closing force, N, by which the source would press an open contact (see [`Self::by`]). Zero unless the contact
@@ -133,8 +134,8 @@ impl StickingForces {
         self.sources.len() - LOADS
     }
 
-    /// For each variable (place or squeeze), in order, the derivatives of all contact forces with respect to this variable, divided by its unit.
-    /// `None` if a contact at another place would leave a load without any resistance.
+    /// For each variable (place or squeeze), in order, the changes of all contact forces per unit of this variable. `None` if a contact at another
+    /// place would leave a load without any resistance.
     pub(super) fn derivatives(
         &self,
         design_space: &DesignSpace<'_>,

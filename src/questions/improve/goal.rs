@@ -31,8 +31,9 @@ impl ImproveGoal {
         counted.filter(|value| value.is_finite())
     }
 
-    /// The derivative of [`Self::counts`] with respect to one variable. `value` is its result and `added` its argument. The last argument has the
-    /// derivatives of its arguments: of the margin under the base load, and of the change of the margin due to the load.
+    /// The derivative of [`Self::counts`] with respect to one variable. `value` is what `counts` returned, and `added` the change of the margin due
+    /// to the load, as given to `counts`. The pair holds two derivatives with respect to the variable: of the margin under the base load, and of that
+    /// change.
     pub(super) fn change(self, value: f64, added: f64, [rest_changes, added_changes]: [f64; 2]) -> f64 {
         match self {
             Self::FirstSlip => -(rest_changes + value * added_changes) / added,

@@ -38,8 +38,8 @@ impl LoadSet {
         }
     }
 
-    /// The least load factor at which a contact stops sticking under one of the loads, zero if nothing resists that load. `None` if a contact slides
-    /// under the base load, or no equilibrium under the base load is found.
+    /// The least load factor, over all loads, at which a contact stops sticking. If from some load factor on nothing resists a load, this factor
+    /// counts, too. `None` if a contact slides under the base load, or no equilibrium under the base load is found.
     pub(super) fn first_slip(&self, grasp: &Grasp<3>) -> Result<Option<f64>, Error> {
         if let Some((point, size)) = self.any {
             return Ok(match grasp.weakest_direction(self.base, point)? {

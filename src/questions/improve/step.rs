@@ -8,9 +8,9 @@
 //! ```
 //!
 //! `top` is a constant above every value that the least of the events can have in the box, so that t is positive and a minimum exists. By the
-//! optimality conditions, the sum of the gradients of events and constraints, weighted by their multipliers, equals B d plus the multipliers of the
-//! box (of upper ends minus lower ends). At an optimum of the search the step d is zero. The sum then vanishes in all variables that are not at an
-//! end of their range.
+//! optimality conditions, the gradients of events and constraints are weighted by their multipliers. Their sum is B d plus the multipliers of the box
+//! (of upper ends minus lower ends). At an optimum of the search the step d is zero. The sum then vanishes in all variables that are not at an end of
+//! their range.
 
 use nalgebra::{DMatrix, DVector};
 

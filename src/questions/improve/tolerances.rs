@@ -5,8 +5,8 @@
 //! maximised. If it is the load factor of first slip, gains are divided by that factor. If it is the reserve, gains are divided by the greatest
 //! contact force under the base load. The reserve is the least margin of a contact force to the edge of its cone.
 
-/// A design point is called an optimum to first order if its residual is at most this number. The residual is the largest component of the sum of
-/// gradients, weighted by their multipliers, of sticking conditions and limits, or the residual of complementarity.
+/// A design point is called an optimum to first order if its residual is at most this number. Gradients of sticking conditions and limits, weighted
+/// by their multipliers, sum to zero at an optimum. The residual is the largest component of this sum or, if larger, the residual of complementarity.
 ///
 /// If smaller, the search ends as stalled at optima where two sticking conditions of one contact are active. If larger, a design point that could
 /// still be improved is called an optimum.
