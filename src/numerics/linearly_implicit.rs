@@ -29,7 +29,8 @@ pub(crate) fn implicit_step<F: Fn(&mut [f64])>(
     let (mut y, mut change) = (vec![0.0; first.len()], vec![0.0; first.len()]);
     let mut before: Vec<Vec<f64>> = Vec::new();
     let mut last_error = f64::INFINITY;
-    // At most nine rows of the extrapolation scheme.
+    // Row j of the extrapolation scheme costs j substeps. A step that is not accurate after nine rows is too long, and the caller tries a shorter
+    // one.
     for j in 1..=9 {
         let part = length / j as f64;
         let solve = damped(part)?;

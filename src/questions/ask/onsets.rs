@@ -10,7 +10,7 @@ use crate::load_path::{Beyond, Onset, OnsetEvent, Ramp, Turn, TurnOnset};
 impl<const C: usize> Grasp<C> {
     /// The load factor at which the first contact stops sticking as a load grows from zero, or along a [`Ramp`]. The answer names the contacts that
     /// stop sticking, and whether they slide or open. The load factor is exact up to rounding, in the plane and in space on the round cone. It is
-    /// computed without steps or bisection: in the plane from a linear equation for each edge of a friction cone, on the round cone from a quadratic
+    /// computed without steps or bisection. In the plane there is a linear equation for each edge of a friction cone, on the round cone a quadratic
     /// equation for each contact.
     ///
     /// From the event in the answer, [`Self::state_at_onset`] computes the equilibrium at first slip, and [`Self::beyond`] the behaviour just beyond

@@ -100,8 +100,8 @@ impl<const C: usize> Statics<'_, C> {
     /// The measure ε of Ferrari and Canny: the size, N, up to which contact forces within a budget balance loads of every direction. It is computed
     /// with the default [`WrenchScale`] and [`Settings`](crate::Settings): on the round cone in space.
     ///
-    /// The pull of a suction cup is not part of the budget: a load counts as balanced if contact forces within the budget and all these pulls balance
-    /// it together.
+    /// Pulls of suction cups are not part of the budget. A load counts as balanced if contact forces within the budget, together with these pulls,
+    /// balance it.
     ///
     /// ε measures which loads some contact forces *could* balance. [`Self::onset`](Grasp::onset) takes the springs and the squeeze of the grasp into
     /// account.

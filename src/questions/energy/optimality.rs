@@ -37,8 +37,8 @@ use crate::numerics::{IntoList, Singular, Vector, mapped, numbered};
 use crate::object::{ForcesAndTwist, LinearProblem, Problem};
 use crate::prelude::*;
 
-/// The quadratic program in energy coordinates: conditions on the normal forces of gaps that may open, friction constraints that may bind, and the
-/// springs while everything sticks.
+/// The quadratic program in energy coordinates. `gaps` are the conditions F_n >= 0 of contacts whose gap may open, `friction` the friction
+/// constraints that may bind. `stuck` are the springs while everything sticks.
 pub(super) struct EnergyProgram<'g> {
     pub(super) problem: Problem<'g>,
     pub(super) stuck: LinearProblem,

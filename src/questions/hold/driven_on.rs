@@ -32,7 +32,7 @@ impl Engine {
     }
 
     /// Sets [`Verdict::swing`] for an object that is lost as soon as the load begins to act, unless commands change with the load. If it swings, the
-    /// proof `nothing_near` of the loss is removed: the proof takes the lever arms of the load as constant, but they change as the object swings.
+    /// proof `nothing_near` of the loss is removed. The proof takes the lever arms of the load as constant, but they change as the object swings.
     pub(super) fn let_swing(&self, verdict: &mut Verdict<3>, ramp: &Ramp<3>, settings: &Settings) {
         let is_load_alone = ramp.command_change.is_none() && ramp.joint_change.is_none();
         if verdict.held_to <= NEGLIGIBLE && verdict.holds() == Some(false) && is_load_alone {

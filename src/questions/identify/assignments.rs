@@ -33,7 +33,7 @@ const MOST_FITS: usize = 12;
 const MOST_LOOKS: usize = 240;
 
 /// If two contacts slip at once, for example at equal friction, the predicted loads have a kink as functions of the unknowns, and no derivatives. To
-/// evaluate them next to this kink, the logarithm of one unknown is changed by this step.
+/// find the derivatives next to this kink, the logarithm of one unknown is changed by this step.
 const BESIDE_A_KINK: f64 = 1e-3;
 
 /// The search for other assignments. An assignment says on which unknowns each predicted slip depends, because it says which contact slips first.

@@ -1,6 +1,7 @@
 //! Ascent from one starting grasp to a local optimum of places and squeezes. A place is the position of a contact on its curve or surface, a squeeze
-//! the normal force of its command; a design point is one choice of both. The goal is the value that the search maximises; the base load acts before
-//! the loads of the question grow. Multipliers are those of the conditions and limits that are active at an optimum.
+//! the normal force of its command. A design point is one choice of all places and squeezes. An idle contact is open or touches without force at
+//! rest, and stays so until a load pushes it. The goal is the value that the search maximises; the base load acts before the loads of the question
+//! grow. Multipliers are those of the conditions and limits that are active at an optimum.
 
 use nalgebra::DVector;
 

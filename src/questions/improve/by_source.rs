@@ -1,7 +1,8 @@
 //! Contact forces while every contact sticks, and their exact derivatives with respect to places and squeezes. Forces are kept apart by their source,
 //! the cause of the force: the base load with fixed commands, the variable squeeze, or a load. A place is the position of a contact on its curve or
-//! surface, a squeeze the normal force of its command; a design point is one choice of both. A command is the displacement that a finger would make
-//! without the object; the base load acts before the loads of the question grow.
+//! surface, a squeeze the normal force of its command. A design point is one choice of all places and squeezes. A command is the displacement that a
+//! finger would make without the object; the base load acts before the loads of the question grow. A contact is left open if it touches without force
+//! and no load of the computation closes it.
 
 use nalgebra::SVector;
 

@@ -1,8 +1,8 @@
 //! The value of each sticking condition of each contact under each load, and its derivatives with respect to places and squeezes. For the goal of
 //! first slip the value is the load factor that breaks the condition, for a reserve it is the margin. A place is the position of a contact on its
-//! curve or surface, a squeeze the normal force of its command; a design point is one choice of both. The goal is the value that the search
-//! maximises. The base load acts before the loads of the question grow; at rest means under it. An idle contact is open or touches without force at
-//! rest, and stays so until a load pushes it.
+//! curve or surface, a squeeze the normal force of its command. A design point is one choice of all places and squeezes. The goal is the value that
+//! the search maximises. The base load acts before the loads of the question grow; at rest means under it. An idle contact is open or touches without
+//! force at rest, and stays so until a load pushes it.
 
 use core::f64::consts::TAU;
 

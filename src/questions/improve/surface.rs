@@ -10,9 +10,9 @@ use crate::grasp::Face;
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::prelude::*;
 
-/// A curve in the plane or a surface in space that a contact may move along. Of the two opposite normals of the surface, the contact keeps the one at
-/// an angle of at most 90° to its given normal, which points into the object. [`Grasp::improve`](crate::ask::Grasp::improve) refuses an invalid
-/// surface.
+/// A curve in the plane or a surface in space that a contact may move along. A surface has two opposite normals. The contact takes the one that
+/// points into the object, as its given normal does: the angle between them is at most 90°. [`Grasp::improve`](crate::ask::Grasp::improve) refuses an
+/// invalid surface.
 ///
 /// ```
 /// use grasp_lcp::improve::Surface;

@@ -1,5 +1,5 @@
 //! Limits of the search for finger places: at which an ascent has reached an optimum, and below which a gain is rounding. A place is the position of
-//! a contact on its curve or surface, a squeeze the normal force of its command; a design point is one choice of both.
+//! a contact on its curve or surface, a squeeze the normal force of its command. A design point is one choice of all places and squeezes.
 //!
 //! All limits are without units. Places and squeezes are divided by the unit of their variable. The gain is the increase of the value that is
 //! maximised. If it is the load factor of first slip, gains are divided by that factor. If it is the reserve, gains are divided by the greatest
