@@ -37,14 +37,14 @@ impl DoubleDouble {
         self.add(product);
     }
 
-    /// Adds `(a + rest) b`, where `rest` is the rounding error of a, to the sum.
+    /// Adds the product of a + `rest` and b to this sum; `rest` is the rounding error of a.
     #[inline(always)]
     pub(crate) fn add_product_of_twice(&mut self, (a, rest): (f64, f64), b: Self) {
         self.low += a * b.low + rest * b.high;
         self.add_product(a, b.high);
     }
 
-    /// This sum divided by k, a double without rounding error of its own.
+    /// This sum divided by k, which is taken as exact.
     pub(crate) fn over(self, k: f64) -> Self {
         let high = self.high / k;
         let product = high * k;

@@ -1,7 +1,7 @@
 //! Short arrays and vectors made element by element.
 //!
-//! These functions shorten the compilation: the compiler makes two hundred lines of code of each use of `array::map`, and a hundred of each
-//! `SVector::from_fn`.
+//! These functions shorten the compilation: each use of `array::map` makes the compiler generate two hundred lines of code, and each
+//! `SVector::from_fn` a hundred.
 
 use nalgebra::SVector;
 

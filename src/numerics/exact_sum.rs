@@ -8,7 +8,7 @@ use core::cmp::Ordering;
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
-/// Number of limbs of 64 bits: 4196 bits for a product, the rest for carries and the sign.
+/// Number of limbs of 64 bits, 4352 bits in all: 4196 bits for a product, the rest for carries and the sign.
 const LIMBS: usize = 68;
 /// Binary exponent of the lowest bit of a sum. The value of this bit is the square of the smallest subnormal number.
 const LOWEST: i32 = -2148;
@@ -75,7 +75,7 @@ impl ExactSum {
                 (*limb, carry) = add(!*limb, 0, carry);
             }
         }
-        // Pairs of each 64-bit limb and the binary exponent of its lowest bit.
+        // Each 64-bit limb is paired with the binary exponent of its lowest bit; the highest nonzero limb is wanted.
         let limbs = size.iter().zip((LOWEST..).step_by(64));
         let Some((top, exponent)) = limbs.filter(|(limb, _)| **limb != 0).last() else { return (0.0, 0) };
         let below = size.iter().zip((LOWEST + 64..).step_by(64)).find(|(_, above)| *above == exponent);

@@ -5,11 +5,12 @@ use crate::numerics::{Square, Vector};
 use super::complete_pivoting::CompletePivoting;
 use super::partial_pivoting::PartialPivoting;
 
-/// Factors of a `D x D` matrix A.
+/// LU factors of a square matrix A, by one of two kinds of pivoting.
 #[derive(Debug, Clone)]
 pub(crate) enum Factors {
     Regular(PartialPivoting),
-    /// The matrix is singular or nearly so. Complete pivoting separates directions of zero stiffness from directions that are merely soft.
+    /// The matrix is singular or nearly so. Complete pivoting tells exact null vectors from directions in which the matrix is merely small (in a
+    /// stiffness matrix: free motions from soft directions).
     Singular(CompletePivoting),
 }
 

@@ -24,8 +24,8 @@ pub(super) fn factorise(
     let size = r.size();
     r.fill(0.0);
     order.iter_mut().enumerate().for_each(|(j, order)| *order = j);
-    // For each column: its length, the length of its rounding errors, and the length of its remainder after the projections so far. Last comes its
-    // coefficient along the newest column of Q.
+    // Four lists with a number for each column. `full` is its length, `noise` the length of its rounding errors, `left` the length of what the
+    // projections so far have left. `parts` is its coefficient along the newest column of Q.
     let [mut full, mut noise, mut left, mut parts] = [(); 4].each(|()| Vector::all_zero(size));
     let [full, noise, left, parts] =
         [&mut full, &mut noise, &mut left, &mut parts].each(|list| &mut list.as_mut_slice()[..d]);
@@ -158,8 +158,8 @@ fn add_products(d: usize, q: &[f64], k: usize, (products, over): (&mut [f64], Ra
     }
 }
 
-/// Range of columns for a loop that must cover the columns `needed`. Up to six columns, the range has all columns, a length that the compiler
-/// knows; the additional columns have zero coefficients.
+/// Range of columns for a loop that must cover the columns `needed`. For at most six columns it is the range of all columns, whose length the
+/// compiler knows. The additional columns have zero coefficients, so they change nothing.
 #[inline(always)]
 fn looped(d: usize, needed: Range<usize>) -> Range<usize> {
     if d <= WHOLE { 0..d } else { needed }

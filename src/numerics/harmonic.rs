@@ -54,7 +54,7 @@ impl<X: Clone + Add<Output = X> + Sub<Output = X> + Mul<f64, Output = X>> Harmon
 }
 
 impl Harmonic<f64> {
-    /// `∫ x dy` from 0 to an angle: the work of a force x on a displacement y, both functions of the angle.
+    /// The integral `∫ x dy` as the angle grows from 0 to `angle`: the work of a force x on a displacement y, both functions of the angle.
     pub(crate) fn work_on(&self, moved: &Self, angle: f64) -> f64 {
         let (sin, cos) = angle.sin_cos();
         let (mixed, squares) = (0.5 * sin * sin, [0.5 * (angle + sin * cos), 0.5 * (angle - sin * cos)]);

@@ -22,7 +22,7 @@ use crate::prelude::*;
 /// Bounds of the radius of the largest ball about the origin in a convex set.
 #[derive(Debug, Clone)]
 pub(crate) struct BallBounds {
-    /// Lower bound of the radius; negative if the origin lies outside the polytope.
+    /// Lower bound of the radius, the distance of the closest face of the polytope; negative if the origin lies outside the polytope.
     pub(crate) at_least: f64,
     pub(crate) at_most: f64,
     /// Unit direction in which the set extends no farther than `at_most`.
@@ -39,7 +39,7 @@ struct Face {
     is_alive: bool,
 }
 
-/// A face of the polytope in the queue, in which the face closest to the origin comes first.
+/// An entry of the queue of faces, which is ordered such that the face closest to the origin comes first.
 struct QueuedFace {
     distance: f64,
     face: usize,
@@ -78,7 +78,7 @@ struct Polytope {
 }
 
 impl Polytope {
-    /// The simplex of some vertices, one more than the dimension.
+    /// The first polytope: the simplex with these vertices, one more than the number of dimensions.
     fn of(simplex: &[Vertex]) -> Self {
         let size = Size::of(simplex.len() - 1);
         let points: Vec<_> = mapped(simplex, &|vertex| vertex.at.clone());
@@ -150,8 +150,9 @@ impl Polytope {
     }
 }
 
-/// Bounds of the radius of the largest ball about the origin in the set with this support function. They differ by at most `closeness` times the
-/// size of the set, unless the search ends early, after `most_points` points. `None` if the polytope has no face.
+/// Bounds of the radius of the largest ball about the origin in the set with this support function. They differ by at most `closeness` times the size
+/// of the set, unless the search ends early: after `most_points` points, with too many faces, or because of rounding. `None` if the polytope has no
+/// face.
 pub(crate) fn largest_ball(
     support: &SupportFunction<'_>,
     simplex: &[Vertex],
@@ -176,7 +177,8 @@ pub(crate) fn largest_ball(
         now.at_least = distance.min(now.at_most);
         let (at_most, close) = (now.at_most, closeness * next.norm());
         bounds = Some(now);
-        // If in some direction the set does not extend beyond the origin, it contains no ball about the origin, and more points would not help.
+        // The search ends if the bounds are close. It also ends if the upper bound is nearly zero: the set then contains no ball about the origin,
+        // and more points would not help.
         if at_most - distance <= close || at_most <= close {
             break;
         }

@@ -16,8 +16,8 @@ use crate::prelude::*;
 
 /// One step of length `length` of y' = f(y), with an error below `tolerance`. The variables y are changes since the start of the step, where f(0) is
 /// `first`; `rate` computes f(y), and `size` measures an error of y. For a length h, `damped` returns a function that solves `(1 - hJ) Δ = x` in
-/// place, with the Jacobian J of f. It returns `None` if this matrix is singular. The step is `None` for a singular matrix, where f is not defined,
-/// or if the error does not fall below the tolerance.
+/// place, with the Jacobian J of f. `damped` returns `None` if this matrix is singular. The result is `None` if such a matrix is singular, or if f is
+/// not defined at some y. Also `None` if the error does not fall below the tolerance.
 pub(crate) fn implicit_step<F: Fn(&mut [f64])>(
     length: f64,
     first: &[f64],
@@ -29,7 +29,8 @@ pub(crate) fn implicit_step<F: Fn(&mut [f64])>(
     let (mut y, mut change) = (vec![0.0; first.len()], vec![0.0; first.len()]);
     let mut before: Vec<Vec<f64>> = Vec::new();
     let mut last_error = f64::INFINITY;
-    // At most nine rows of the extrapolation scheme.
+    // Row j of the extrapolation scheme costs j substeps. A step that is not accurate after nine rows is too long, and the caller tries a shorter
+    // one.
     for j in 1..=9 {
         let part = length / j as f64;
         let solve = damped(part)?;
@@ -60,7 +61,8 @@ pub(crate) fn implicit_step<F: Fn(&mut [f64])>(
             if error <= tolerance {
                 return row.pop().map(|change| Stepped { change, error });
             }
-            // After the fourth row of the extrapolation scheme, a step fails if the estimated error grows from one row to the next.
+            // The first four rows of the extrapolation scheme may be too coarse for their error estimate. After them a step fails if the estimated
+            // error grows from one row to the next.
             if !error.is_finite() || j > 4 && error > last_error {
                 return None;
             }

@@ -5,7 +5,8 @@ use core::fmt::{Debug, Formatter};
 
 use crate::prelude::*;
 
-/// Memory that the solver of a grasp keeps for its next computation. Memory of another type is dropped, and a clone starts empty.
+/// Memory that the solver of a grasp keeps for its next computation. If the next computation needs memory of another type, the stored one is dropped.
+/// A clone starts empty.
 #[derive(Default)]
 pub(crate) struct Memory(Option<Box<dyn Any + Send + Sync>>);
 

@@ -11,7 +11,8 @@ use super::increasing::increasing;
 use super::mapped::mapped;
 use crate::prelude::*;
 
-/// For each of `count` coordinates, its position in the new order, counted from 0. A coupling connects all coordinates of its ranges.
+/// For each of `count` coordinates, its position in the new order, counted from 0. A coupling is a pair of ranges of coordinates; the matrix may have
+/// entries between all of these coordinates.
 pub(crate) fn narrow_order(count: usize, couplings: &[[Range<usize>; 2]]) -> Vec<usize> {
     let (starts, neighbours) = graph(count, couplings);
     let node_count = neighbours.len();
@@ -48,7 +49,8 @@ pub(crate) fn widest(numbers: &[usize], couplings: &[[Range<usize>; 2]]) -> usiz
     widest
 }
 
-/// Returns two lists: the first coordinate of each node, followed by the number of coordinates; and the neighbours of each node.
+/// Returns two lists. The first has the first coordinate of each node and, as its last entry, the number of coordinates. The second has the
+/// neighbours of each node.
 fn graph(count: usize, couplings: &[[Range<usize>; 2]]) -> (Vec<usize>, Vec<Vec<usize>>) {
     let mut starts = vec![0, count];
     for range in couplings.iter().flatten() {

@@ -91,7 +91,8 @@ impl<Tag: Copy + PartialEq> NearestPoint<Tag> {
         let (before, w) = self.q.split_at_mut(from);
         let column = &mut self.r[from..to];
         let mut length = 1.0;
-        // The projection on the active generators is subtracted at most three times; twice is enough, and the third time changes nothing.
+        // If a subtraction shortens the remainder more than tenfold, cancellation costs digits, and the projection is subtracted again. Twice is
+        // enough for an independent generator; three times is the limit for a dependent one.
         for _ in 0..3 {
             for (entry, q) in column.iter_mut().zip(before.chunks_exact(m)) {
                 let h = dot(q, w);
@@ -99,7 +100,7 @@ impl<Tag: Copy + PartialEq> NearestPoint<Tag> {
                 subtract(w, h, q);
             }
             let left = dot(w, w).sqrt();
-            // A column that keeps this fraction of its length when its projection on the others is subtracted has lost no digits.
+            // A column that keeps at least this fraction of its length when the projection is subtracted has lost at most one digit.
             let done = left > 0.1 * length;
             length = left;
             if done {

@@ -41,7 +41,8 @@ pub(crate) fn normal_tail(x: f64) -> f64 {
 }
 
 /// The probability that two standard normal variables with the correlation ρ exceed a and b, both above -8. The relative error is 1e-4 up to ρ =
-/// 0.99, and a few 1e-3 for ρ closer to 1. `tails` has Φ(-a) and Φ(-b), since sums over pairs need each of them often:
+/// 0.99, and a few 1e-3 for ρ closer to 1. `tails` has Φ(-a) and Φ(-b): a caller that sums over many pairs computes each tail only once. The
+/// probability is
 ///
 /// ```text
 /// Φ(-a) Φ(-b) + 1/(2π) ∫ exp(-(a² + b² - 2ab sin θ) / (2 cos² θ)) dθ      from 0 to asin ρ
@@ -108,9 +109,9 @@ mod tests {
         assert!((normal_density(0.0) - FRAC_1_SQRT_2 / PI.sqrt()).abs() < 1e-16);
     }
 
-    /// Two normal variables with the correlation ρ are compared with the bounds a and b. Both exceed zero with the probability `1/4 + asin ρ / 2π`.
-    /// With ρ = 1 both are the same variable, and the greater bound counts. Otherwise, given the value x of the first variable, the second exceeds b
-    /// with the probability `Φ(-(b - ρx) / √(1 - ρ²))`. This is integrated with the density φ(x) over x > a.
+    /// Reference values for the probability that two normal variables with the correlation ρ exceed the bounds a and b. For a = b = 0 it is
+    /// `1/4 + asin ρ / 2π`. With ρ = 1 both are the same variable, and the greater bound counts. Otherwise, if the first variable has the value x,
+    /// the second exceeds b with the probability `Φ(-(b - ρx) / √(1 - ρ²))`. This is integrated with the density φ(x) over x > a.
     #[test]
     fn two_tails_are_those_of_closed_forms() {
         let near = |value: f64, exact: f64| assert!((value / exact - 1.0).abs() < 3e-3, "{value} {exact}");

@@ -50,8 +50,8 @@ impl<const C: usize> Turning<C> {
         })
     }
 
-    /// The angle of the local minimum of N - |v|, with the number N and the vector v, that is reached downhill from the angle `start`. The angle
-    /// lies between 0 and `most`, unless `most` is a full turn.
+    /// The angle of the local minimum of N - |v|, with the number N and the vector v, that a descent from the angle `start` reaches. The angle lies
+    /// between 0 and `most`. If `most` is a full turn, it may lie outside, since all angles are then allowed.
     fn least_near(&self, start: f64, most: f64) -> f64 {
         let within = |angle: f64| if most < TAU { angle.clamp(0.0, most) } else { angle };
         // First step of the search for the minimum, rad.

@@ -21,8 +21,8 @@ pub(crate) struct Orthogonal {
     /// The orthonormal factor Q row by row; entries in columns from number `rank` on are zero.
     q: Vec<f64>,
     r: Square,
-    /// The reciprocals of the diagonal entries of the triangular factor R11. A multiplication takes a third of the time of a division, and
-    /// successive divisions would wait for each other.
+    /// The reciprocals of the diagonal entries of the triangular factor R11. Multiplying by them is faster than dividing: a division takes three
+    /// times as long, and the next one cannot begin before it ends.
     over_diagonal: Vector,
     order: Indices,
     rank: usize,
@@ -148,9 +148,9 @@ impl Orthogonal {
         v
     }
 
-    /// The coordinates `y = Qᵀx`, along the columns of the orthonormal factor Q, of the vectors x with `Aᵀx = w` for the factored matrix A. w
-    /// must be in the range of Aᵀ. All such x have the same y, which solves the first r rows of `R11ᵀ y = Πᵀw` with the triangular factor R11
-    /// and the column permutation Π.
+    /// The coordinates `y = Qᵀx` of the solutions x of `Aᵀx = w`, with the factored matrix A and its orthonormal factor Q. w must be in the range of
+    /// Aᵀ. All solutions x have the same y. It solves the first r rows of `R11ᵀ y = Πᵀw`, with the triangular factor R11 and the column permutation
+    /// Π.
     pub(crate) fn load_coordinates(&self, w: &Vector) -> Vector {
         let mut found = Vector::all_zero(self.size());
         let (d, r, over) = (self.size().count(), self.r.as_slice(), self.over_diagonal.as_slice());

@@ -2,7 +2,7 @@
 
 use super::coordinates::Vector;
 
-/// v minus its projection on an orthonormal set.
+/// v minus its projection on an orthonormal set, subtracted once. Rounding may leave a small component along the set.
 pub(crate) fn without(mut v: Vector, basis: &[Vector]) -> Vector {
     for b in basis {
         let along = b.dot(&v);

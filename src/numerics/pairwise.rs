@@ -55,7 +55,7 @@ impl<A: Halves, B: Halves> Halves for (A, B) {
     }
 }
 
-/// The pairwise sum over a sequence: `part` sums a short part, and `plus` adds the sums of two halves.
+/// The pairwise sum over a sequence, which is halved until its parts are short: `part` sums a short part, and `plus` adds the sums of two halves.
 pub(crate) fn in_halves<W: Halves, S: Send>(
     whole: W,
     part: &(impl Fn(W) -> S + Sync),

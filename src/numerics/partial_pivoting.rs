@@ -3,7 +3,7 @@
 use super::tolerances::PARTIAL_PIVOT;
 use crate::numerics::{Indices, Size, Square, Vector};
 
-/// Partial-pivoting LU of a regular `D x D` matrix.
+/// LU factors, by partial pivoting, of a square matrix that is far from singular.
 #[derive(Debug, Clone)]
 pub(crate) struct PartialPivoting {
     /// U on and above the diagonal, L below it.

@@ -7,13 +7,13 @@ use crate::prelude::*;
 
 const WEYL_STEP: u64 = 0x9E37_79B9_7F4A_7C15;
 
-/// Entry i of a fixed vector without special structure, from 1/2 to below 3/2.
+/// Number i of a fixed list of irregular numbers, each from 1/2 to below 3/2: perturbations that break ties, and data of tests.
 pub(crate) fn generic(i: usize) -> f64 {
     let bits = mixed((i as u64).wrapping_add(1).wrapping_mul(WEYL_STEP));
     0.5 + (bits >> 11) as f64 / (1_u64 << 53) as f64
 }
 
-/// The mixing function of SplitMix64.
+/// The output function of the generator SplitMix64: a one-to-one map of 64-bit words that spreads each bit over all bits.
 fn mixed(mut z: u64) -> u64 {
     z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
     z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
@@ -25,7 +25,7 @@ fn mixed(mut z: u64) -> u64 {
 pub(crate) struct Draw(u64);
 
 impl Draw {
-    /// The generator with this seed. Each word of the seed changes all bits of the state.
+    /// The generator with this seed. Its state depends in all bits on every word of the seed, so that neighbouring seeds give unrelated numbers.
     pub(crate) fn new(seed: [u64; 3]) -> Self {
         let mut draw = Self(0);
         for word in seed {

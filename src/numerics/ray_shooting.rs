@@ -47,7 +47,8 @@ pub(crate) fn shoot(support: &SupportFunction<'_>, simplex: &[Vertex], target: &
     // The number of simplex pivots is limited, since rounding could cause cycling.
     for _ in 0..1000 {
         let points = matrix(&vertices, &origin);
-        // If the set is smooth, points come so close together that rounding corrupts their plane. Then the result of the previous pivot is kept.
+        // If the set is smooth, the vertices come so close together that rounding corrupts the plane through them. The search then ends with the
+        // result of the previous pivot.
         let solvers = [PartialPivoting::new(&points), PartialPivoting::new(&points.transpose())];
         let [Some(solver), Some(transposed)] = solvers else { break };
         let normal = transposed.solve(&Vector::from_fn(size, |_| 1.0));
@@ -69,7 +70,8 @@ pub(crate) fn shoot(support: &SupportFunction<'_>, simplex: &[Vertex], target: &
         let least = BEYOND_PLANE * change.amax();
         let leaving = (0..size.count()).filter(|&k| change[k] > least).min_by(|&a, &b| {
             let part = |k: usize| coefficients[k] / change[k];
-            // Among vertices with the same ratio, the vertex with the largest pivot `change` is replaced.
+            // `part` is the ratio of coefficient and pivot, and the vertex with the least ratio is replaced. Among equal ratios the largest pivot is
+            // taken, for accuracy.
             part(a).total_cmp(&part(b)).then(change[b].total_cmp(&change[a]))
         });
         let Some(leaving) = leaving else { break };
@@ -87,8 +89,8 @@ fn matrix(vertices: &[Vertex], origin: &Vector) -> Square {
     Square::from_columns(Size::of(vertices.len()), |k| &vertices[k].at - origin)
 }
 
-/// The face of the simplex through which the ray from its middle passes, with the coefficients β. It is the face with the largest minimum of β;
-/// `None` if rounding corrupts all faces.
+/// The face of the simplex through which the ray from its middle passes, with the coefficients β. The ray passes through the face whose β are all
+/// positive; against rounding, the face whose least β is largest is taken. `None` if rounding corrupts all faces.
 fn first_face(simplex: &[Vertex], origin: &Vector, ray: &Vector) -> Option<(Vec<Vertex>, Vector)> {
     let mut best: Option<(Vec<Vertex>, Vector, f64)> = None;
     for without in 0..simplex.len() {

@@ -8,8 +8,9 @@
 use super::tolerances::FEW_ROUNDINGS;
 
 /// The root of a function that is positive below the root and negative above it. The bracket has one argument below the root and one above it, each
-/// with its function value. The returned argument is above the root, with a function value between `-2 within` and zero, unless the bracket has
-/// shrunk to rounding before. If a value is infinite, the bracket is bisected. `None` if a value is NaN, or after a hundred evaluations.
+/// with its function value. The returned argument is above the root. Its function value is between `-2 within` and zero, unless the bracket has
+/// shrunk to rounding before; `within` is the caller's tolerance for the value. If a value is infinite, the bracket is bisected. `None` if a value is
+/// NaN, or after a hundred evaluations.
 pub(crate) fn regula_falsi(
     [mut low, mut high]: [(f64, f64); 2],
     within: f64,

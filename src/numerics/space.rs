@@ -15,7 +15,7 @@ impl Space {
         if C == 2 { Self::Planar } else { Self::Spatial }
     }
 
-    /// Name of the space in texts.
+    /// Name of the space in JSON: "planar" or "spatial".
     #[cfg(feature = "json")]
     pub(crate) const fn name(self) -> &'static str {
         match self {
@@ -24,7 +24,7 @@ impl Space {
         }
     }
 
-    /// Number of axes of a contact.
+    /// Number of axes of a contact frame, which is the number of coordinates of a point: 2 or 3.
     pub(crate) const fn axes(self) -> usize {
         match self {
             Self::Planar => 2,

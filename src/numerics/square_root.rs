@@ -1,4 +1,4 @@
-//! The square root under another name, for use in a number trait whose own method is called `sqrt`.
+//! The square root under another name. A number trait whose own method is called `sqrt` uses it, because a call of `sqrt` in it may mean that method.
 
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;

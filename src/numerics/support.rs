@@ -9,7 +9,7 @@ use crate::prelude::*;
 /// The support function of a convex set: returns the farthest point of the set in a given direction.
 pub(crate) type SupportFunction<'s> = dyn Fn(&Vector) -> Vector + 's;
 
-/// A support point of a set, and the direction in which it is the farthest.
+/// A support point of a set, and the direction in which no point of the set lies farther.
 #[derive(Debug, Clone)]
 pub(crate) struct Vertex {
     pub(crate) at: Vector,
@@ -23,8 +23,8 @@ impl Vertex {
     }
 }
 
-/// Support points that span a simplex, one more than the dimension. If the set is flat, the error holds orthonormal directions in which it has
-/// no extent.
+/// The corners of a simplex with volume: support points, one more than the number of dimensions. If the set is flat, the error holds orthonormal
+/// directions in which the set has no extent.
 pub(crate) fn simplex(size: Size, support: &SupportFunction<'_>) -> Result<Vec<Vertex>, Vec<Vector>> {
     let first = Vertex::of(support, Vector::unit(size, 0));
     let origin = first.at.clone();

@@ -5,21 +5,21 @@
 /// The rounding of a few operations, relative to their terms: 4 ε.
 ///
 /// Examples: a normal computed as (cos π/2, sin π/2) has a component of 6e-17 instead of zero; the residual of Newton's method stagnates at this
-/// level. If smaller, such a component counts as a true direction of a spring, and iterations continue on rounding errors. If larger, the small
-/// contributions of soft springs are dropped where stiff springs act too, and forces lose their last digit.
+/// level. If smaller, such a component counts as a true direction of a spring, and iterations continue on rounding errors. If larger, the
+/// contributions of soft springs are dropped where stiff springs act too, and contact forces lose their last digit.
 pub(crate) const FEW_ROUNDINGS: f64 = 4.0 * f64::EPSILON;
 
 /// The rounding of a short sum, relative to its largest term: some sixteen operations, 16 ε.
 ///
-/// If smaller, exact ties are separated: a rule for rows that block a pivot together fails, or an angle at which two functions only touch is treated
-/// as a crossing or missed. If larger, rows of a complementarity problem that block a pivot one after another count as ties, and functions that cross
-/// slowly count as touching.
+/// If smaller, rounding separates exact ties. Rows of a complementarity problem that block a pivot together are then not treated as a tie. And an
+/// angle at which two functions only touch is taken for a crossing, or missed. If larger, rows that block a pivot one after another count as ties,
+/// and functions that cross slowly count as touching.
 pub(crate) const ROUNDED_SUM: f64 = 16.0 * f64::EPSILON;
 
 /// The rounding of a quantity that results from linear solves, relative to the largest of its kind.
 ///
-/// Systems of condition 1e3 leave 1e-13. If smaller, ties of symmetric grasps are separated, and balanced sums count as unbalanced. If larger,
-/// quantities that are visible to the caller count as zero.
+/// Systems of condition 1e3 leave rounding errors of 1e-13. If smaller, ties of symmetric grasps are separated, and forces that balance seem not to.
+/// If larger, quantities that the caller can see count as zero.
 pub(crate) const SOLVED_ROUNDING: f64 = 1e-12;
 
 /// Relative size below which a quantity is negligible: a gap, a slip, a gain, a difference of two results.
@@ -28,9 +28,10 @@ pub(crate) const SOLVED_ROUNDING: f64 = 1e-12;
 /// own error. If larger, measurable effects are omitted.
 pub(crate) const NEGLIGIBLE: f64 = 1e-9;
 
-/// A step of fraction t is accepted if it reduces the error by at least this fraction of the decrease predicted by the linearisation.
+/// The fraction t of a Newton step is accepted if it reduces the error by at least this part of the decrease that the linearisation predicts.
 ///
-/// This is Armijo's rule. Near 1 full Newton steps are rejected; at 0 steps without progress are accepted, and a search may cycle.
+/// This is Armijo's rule. With a value near 1, full Newton steps would be rejected. With the value 0, steps without progress would be accepted, and a
+/// search could cycle.
 pub(crate) const SUFFICIENT_DECREASE: f64 = 0.1;
 
 /// A vector is linearly dependent on others if its component orthogonal to them is below this fraction of its length. A matrix whose smallest

@@ -25,7 +25,7 @@ pub(crate) fn wide<L: Loop>(work: L) -> L::Output {
     on_the_widest(Inlined(work))
 }
 
-/// A token for SIMD instructions that the processor is known to support. Work that spans several functions passes the token along, so that each
+/// A value that proves that the processor supports certain SIMD instructions. Work that spans several functions passes this token along, so that each
 /// function is compiled for these instructions.
 pub(crate) trait Vectors: Copy {
     /// Runs the work, compiled for these SIMD instructions. The work must be inlined into this function.

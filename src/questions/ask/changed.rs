@@ -13,7 +13,8 @@ use crate::grasp::{Contact, Engine, Face, PressOfPart, Wrench, all_inside, insid
 use crate::prelude::*;
 
 impl<const C: usize> Grasp<C> {
-    /// This grasp with a changed engine (its checked contacts, hand and bodies) and with the same settings; passes on an error.
+    /// A grasp with the engine `engine` (checked contacts, hand and bodies) and with the settings of this grasp. If `engine` is an error, this error
+    /// is returned.
     pub(super) fn changed(&self, engine: Result<Engine, Error>) -> Result<Self, Error> {
         Ok(Self::of(engine?).with(&self.settings))
     }
@@ -100,9 +101,9 @@ impl<const C: usize> Grasp<C> {
         self.changed(self.engine.with_joint_torques(torques))
     }
 
-    /// This grasp with loads on other bodies that grow in proportion to `load`. A method that applies τ times `load` then also applies τ times each
-    /// of `others` to its body. Every load given to a method, base loads included, is taken as a multiple of `load`: only its component along `load`
-    /// acts. Constant loads are instead given with the bodies ([`Body::load`](crate::grasp::Body::load)).
+    /// This grasp with loads on other bodies that grow in proportion to `load`. A method that applies τ times `load` to the object then also applies
+    /// τ times each of `others` to its body. Every load given to a method, base loads included, is replaced by its component along `load`, a multiple
+    /// of `load`. Constant loads are instead given with the bodies ([`Body::load`](crate::grasp::Body::load)).
     ///
     /// ```
     /// use grasp_lcp::planar::{Bodies, Body, Contact, Link, Wrench};
@@ -163,8 +164,8 @@ impl<const C: usize> Grasp<C> {
         self.changed(self.engine.with_friction(friction))
     }
 
-    /// This grasp with other contacts, as many as before, and the same joints. Links (such as cables) keep their commands, so they may no longer have
-    /// their given tensions.
+    /// This grasp with other contacts, as many as before, and the same joints. Links (such as cables) keep their commands. [`Self::installed_again`]
+    /// gives them their tensions again.
     pub(crate) fn with_contacts(&self, contacts: Vec<Contact<C>>) -> Result<Self, Error> {
         self.changed(self.engine.with_data(contacts.into_inside(), &|_| [1.0; 2]))
     }
@@ -193,9 +194,9 @@ impl<const C: usize> Grasp<C> {
         Ok(Self::of(Arc::unwrap_or_clone(self.engine).installed()?).with(&settings))
     }
 
-    /// This grasp with its squeeze (all that presses without load) multiplied by `factor`: commands of contacts, joints and tendons, constant torques
-    /// of joints and tensions of tendons, forces that hold contacts, vacuums, and the tensions that [links](crate::grasp::Link::tension) have without
-    /// load.
+    /// This grasp with its squeeze (all that presses without load) multiplied by `factor`. The squeeze consists of commands of contacts, joints and
+    /// tendons, constant torques of joints and constant tensions of tendons. Given normal forces of contacts, vacuums, and the tensions that
+    /// [links](crate::grasp::Link::tension) have without load belong to it, too.
     ///
     /// # Errors
     /// [`Error::Argument`] unless the factor is finite and at most 1e50. [`Error::Link`] if the grasp cannot hold such a tension of a link.

@@ -11,10 +11,12 @@ use crate::prelude::*;
 
 impl<const C: usize> Grasp<C> {
     /// All equilibria under a load, for few contacts, by trying every combination of contact states. The equilibrium that [`Self::solve`] returns is
-    /// among them. On the round cone the list has that equilibrium, and those that Newton's method reaches from the equilibria on the polygonal cone;
-    /// others may be missing. An empty list does not prove that no equilibrium exists: [`Self::solve`] returns a proof if it finds one. An
-    /// equilibrium that satisfies several combinations, such as a contact exactly on the edge of its cone, is listed once. Of a line of equilibria
-    /// one point is listed, with its [`neutral_motions`](Equilibrium::neutral_motions).
+    /// among them.
+    ///
+    /// On the round cone the list may be incomplete: it has that equilibrium, and those that Newton's method reaches from the equilibria on the
+    /// polygonal cone. An empty list does not prove that no equilibrium exists: [`Self::solve`] returns a proof if it finds one. An equilibrium that
+    /// satisfies several combinations, as with a contact exactly on the edge of its cone, is listed once. If equilibria form a line, one of its
+    /// points is listed, with the directions of the line in [`neutral_motions`](Equilibrium::neutral_motions).
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
@@ -36,8 +38,9 @@ impl<const C: usize> Grasp<C> {
     }
 
     /// The estimated error of an equilibrium of this grasp, and how strongly the equilibrium depends on the last digits of the data. The estimate
-    /// takes two more passes over the contacts in twice the working precision. `None` for an equilibrium with another number of contacts, and on a
-    /// load path with sliding on the round cone, whose error is [`LoadPath::step_error`](crate::load_path::LoadPath::step_error).
+    /// takes two more passes over the contacts in twice the working precision. `None` for an equilibrium with another number of contacts. Also `None`
+    /// for an equilibrium of a load path with sliding on the round cone. The error of such a path is
+    /// [`LoadPath::step_error`](crate::load_path::LoadPath::step_error).
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
@@ -81,10 +84,10 @@ impl<const C: usize> Grasp<C> {
         self.of_equilibrium(equilibrium).engine.distinct(&inside(equilibrium))
     }
 
-    /// The proof that no equilibrium exists under a load on round friction cones. It divides contact states into cases and contradicts each case.
-    /// [`Refutation::check`] verifies the proof and returns its safety factor against rounding, `escape` in the example, at least 1e4. `None` if an
-    /// equilibrium exists, if more cases are needed than [`Settings::most_states`](crate::Settings::most_states) allows, or if no cone is round, as
-    /// in the plane.
+    /// The proof that no equilibrium exists under a load on round friction cones. It splits the possible states of the contacts (open, sticking,
+    /// sliding) into cases and derives a contradiction from each case. [`Refutation::check`] verifies the proof and returns its safety factor against
+    /// rounding (`escape` in the example), at least 1e4. `None` if an equilibrium exists, if more cases are needed than
+    /// [`Settings::most_states`](crate::Settings::most_states) allows, or if no cone is round, as in the plane.
     ///
     /// ```
     /// use grasp_lcp::spatial::{Contact, Grasp, Wrench};
@@ -144,9 +147,9 @@ impl<const C: usize> Grasp<C> {
     }
 
     /// The [force form](crate::forms) of the linear complementarity problem under a load. Its unknowns are the contact forces, and the twist as a
-    /// difference of two non-negative parts ([`Row::Balance`](crate::forms::Row::Balance)). Force components of either sign (bonded, kept closed,
-    /// infinite friction) enter the balance rows as stiffness, without rows of their own. `None` if a number overflows. In the plane `cone` is
-    /// ignored.
+    /// difference of two non-negative parts ([`Row::Balance`](crate::forms::Row::Balance)). Force components that may have either sign have no rows
+    /// of their own; they enter the balance rows as stiffness. Contacts that are bonded, kept closed or have infinite friction have such components.
+    /// `None` if a number overflows. In the plane `cone` is ignored.
     ///
     /// ```
     /// use grasp_lcp::forms::Row;
@@ -174,8 +177,9 @@ impl<const C: usize> Grasp<C> {
 
 impl<const C: usize> Refutation<C> {
     /// Verifies this proof for a grasp and a load, and returns its safety factor against rounding. Rounding could hide from the proof only an
-    /// equilibrium with very large stretches and forces. The factor is a lower bound on their norm over all contacts (in √J), relative to their norm
-    /// in the elastic trial state. `None` if the proof does not hold for this grasp and this load, or if the factor is below 1e4.
+    /// equilibrium in which springs are stretched far more than in the elastic trial state. That is the state in which every contact sticks. The
+    /// factor is a lower bound on the norm of stretches and forces over all contacts (in √J), relative to their norm in the trial state. `None` if
+    /// the proof does not hold for this grasp and this load, or if the factor is below 1e4.
     ///
     /// # Errors
     /// [`Error::Wrench`] if the load is not finite, or beyond 1e50.

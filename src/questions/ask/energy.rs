@@ -16,7 +16,8 @@ impl<const C: usize> Energy<'_, C> {
     /// is the polygonal cone of the settings.
     ///
     /// If every contact has friction and touches at factor 0, the range ends at the [first slip](Grasp::onset) on the polygonal cone. This end is
-    /// computed by another method than the first slip, and thus checks it. Frictionless contacts may open and close before the first slip.
+    /// computed by another method than the first slip, and thus checks it. A frictionless contact may open or close before this end without ending
+    /// the range.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Ramp, Wrench};
@@ -65,9 +66,9 @@ impl<const C: usize> Energy<'_, C> {
     /// The minimum of energy under friction constraints and a load: a quadratic program. In space the friction cone is the polygonal cone of the
     /// settings.
     ///
-    /// The paper (section 5.1, see [`energy`](crate::energy)) has all displacements as variables. The minimum here equals the minimum of that program
-    /// as long as that program opens no contact with infinite friction. The springs of finger and object are combined in series here, so that rigid
-    /// sides and series stiffness are allowed. Orthogonal factors (QR) keep the accuracy at large ratios of stiffnesses.
+    /// The paper (section 5.1, see [`energy`](crate::energy)) poses a quadratic program with all displacements as variables. Its minimum is the
+    /// minimum returned here, unless a contact with infinite friction opens in the paper's program. The springs of finger and object are combined in
+    /// series here, so that rigid sides and series stiffness are allowed. Orthogonal factors (QR) keep the accuracy at large ratios of stiffnesses.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};

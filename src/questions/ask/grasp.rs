@@ -1,5 +1,7 @@
-//! A grasp, and the questions that it answers. The base load acts before a load grows. At first slip the first contact stops sticking, at gross slip
-//! every contact that presses slides. Motions are small within the limits of rotation, slip and opening up to which the linear theory is trusted.
+//! A grasp, and the questions that it answers. The engine holds the checked data of a grasp and computes with three components, also in the plane. A
+//! command is the displacement that a finger would make without the object. The base load acts before a load grows. At first slip the first contact
+//! stops sticking, at gross slip every contact that presses slides. Motions are small within the limits of rotation, slip and opening up to which the
+//! linear theory is trusted.
 
 use alloc::sync::Arc;
 
@@ -50,8 +52,7 @@ use crate::prelude::*;
 pub struct Grasp<const C: usize> {
     pub(crate) engine: Arc<Engine>,
     pub(super) settings: Settings,
-    /// The contacts, frames, links and joint centres of the grasp as callers read them, with vectors of `C` components; converted at the first
-    /// request.
+    /// The data that methods return by reference. The engine stores them with three components; the first request converts them to `C` components.
     door: Once<Arc<Door<C>>>,
 }
 
@@ -64,7 +65,7 @@ struct Door<const C: usize> {
     joint_centres: Vec<Option<SVector<f64, C>>>,
 }
 
-/// The engine computes with three components. A grasp of the plane is therefore passed to the engine as a `Grasp<3>`, too.
+/// Converts a grasp to a `Grasp<3>` and back, since the engine computes with three components in the plane, too. Both share one engine.
 impl<const C: usize> Face for Grasp<C> {
     type Inside = Grasp<3>;
     const SAME: bool = C == 3;
@@ -102,8 +103,8 @@ impl<const C: usize> Grasp<C> {
         Grasp::installed_by(engine_of_contacts(contacts)?)
     }
 
-    /// The grasp of an engine. Links with a given tension get commands such that each has this tension without load; an error if the grasp cannot
-    /// hold it.
+    /// A grasp that computes with this engine. Links (such as cables) with a given tension get the commands with which they have this tension without
+    /// load. An error if the grasp cannot hold such a tension.
     fn installed_by(engine: Engine) -> Result<Self, Error> {
         Ok(Self::of(engine.installed()?))
     }
@@ -124,8 +125,8 @@ impl<const C: usize> Grasp<C> {
         })
     }
 
-    /// This grasp with other [`Settings`]: for another friction cone, or with other limits on computing effort. The copy shares contacts and matrix
-    /// factors with this grasp.
+    /// This grasp with other [`Settings`]: for another friction cone, or with other limits on computing effort. The copy is cheap: it shares contacts
+    /// and factorised matrices with this grasp.
     ///
     /// ```
     /// use grasp_lcp::spatial::{Contact, Grasp, Wrench};
@@ -149,15 +150,15 @@ impl<const C: usize> Grasp<C> {
         Self { settings: *settings, ..self.clone() }
     }
 
-    /// The contacts that have a point for which `is_meant`, given the point's index, is true. A soft fingertip is listed as one contact, with the
-    /// number of such points.
+    /// The contacts with a point that `is_meant` selects; its argument is the index of a contact point. A soft fingertip, which has several points,
+    /// is listed once, with the number of its selected points.
     #[must_use]
     pub fn whole_contacts(&self, is_meant: impl Fn(usize) -> bool) -> Vec<WholeContact> {
         self.engine.wholes().with(&is_meant)
     }
 
-    /// Indices of the contact points of the given contacts. In the indices `contacts` a soft fingertip counts as one contact. An error for an index
-    /// that no contact has.
+    /// The indices of the contact points that belong to `contacts`. In `contacts` a soft fingertip counts as one contact, while each of its points
+    /// has an index of its own. An error for an index that no contact has.
     pub(crate) fn points_of(&self, contacts: &[usize]) -> Result<Vec<usize>, Error> {
         let parts = self.engine.wholes();
         let mut points = Vec::new();
@@ -173,13 +174,14 @@ impl<const C: usize> Grasp<C> {
         &self.settings
     }
 
-    /// Whether the grasp holds a load that grows from zero in addition to the base load. The [`Verdict`] says in a sentence whether it holds with
-    /// everything sticking, holds while some contacts slide, or is lost at a fraction of the load, and by which motion. It also has the load factors
-    /// of first slip and gross slip, up to [`Settings::most_load`].
+    /// Whether the grasp holds a load that grows from zero in addition to the base load. The [`Verdict`] says in a sentence whether all contacts
+    /// stick, some slide, or the object is lost: at which fraction of the load, and by which motion. It also has the load factors of first slip and
+    /// gross slip, up to [`Settings::most_load`].
     ///
-    /// A load is a [`Wrench`], applied from zero, or a [`Ramp`] with a base load and changes of commands. The load is followed as by
-    /// [`Self::follow`], without a search for other equilibria, so the verdict is undecided only if the path is undecided. If the load is lost,
-    /// [`Lost::nothing_near`](crate::hold::Lost::nothing_near) proves that no equilibrium near the loss holds it.
+    /// A load is a [`Wrench`], applied from zero, or a [`Ramp`] with a base load and changes of commands. The equilibrium is followed from the base
+    /// load as by [`Self::follow`], without a search for other equilibria. The verdict is undecided only if this path cannot be continued, because of
+    /// rounding or a limit on computing effort. If the load is lost, [`Lost::nothing_near`](crate::hold::Lost::nothing_near) proves that no
+    /// equilibrium near the loss holds it.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
@@ -208,8 +210,8 @@ impl<const C: usize> Grasp<C> {
 
     /// The equilibrium under a load, or the proof that no equilibrium exists; undecided if neither is found.
     ///
-    /// If several equilibria exist, an equilibrium in which everything sticks is preferred; for other equilibria see
-    /// [`FoundBy`](crate::equilibrium::FoundBy).
+    /// If several equilibria exist, one in which every contact sticks is returned before any other. [`FoundBy`](crate::equilibrium::FoundBy) says by
+    /// which method the equilibrium was found.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Outcome, Wrench};
@@ -250,8 +252,8 @@ impl<const C: usize> Grasp<C> {
         self.engine.presses()
     }
 
-    /// Whether a command, a constant contact force or a vacuum presses on the object. [`Self::squeezed`] multiplies these commands, forces and
-    /// vacuums.
+    /// Whether the grasp has a squeeze, the commands and forces that [`Self::squeezed`] multiplies: a nonzero command, constant force or torque, or
+    /// vacuum. Joints and tendons count, too.
     pub(crate) fn is_squeezed(&self) -> bool {
         self.engine.is_squeezed()
     }
@@ -261,12 +263,13 @@ impl<const C: usize> Grasp<C> {
         self.engine.overlaps()
     }
 
-    /// Whether this contact presses by its own command, constant force or vacuum, in a grasp in which no joint or tendon presses.
+    /// Whether this contact point has a command, constant force or vacuum of its own, and no joint or tendon of the grasp is driven.
     pub(crate) fn is_set_by_itself(&self, point: usize) -> bool {
         self.engine.is_commanded(point) && !self.engine.is_hand_driven()
     }
 
-    /// Whether [`Self::squeezed`] multiplies every force that acts before any load is applied.
+    /// Whether all forces except the caller's loads scale with the squeeze ([`Self::squeezed`]), so that twice the squeeze holds twice the load.
+    /// Clearances, permanent loads, external torques, tendons and limits of joints prevent this.
     pub(crate) fn is_proportional(&self) -> bool {
         self.engine.is_proportional()
     }
@@ -281,7 +284,7 @@ impl<const C: usize> Grasp<C> {
         self.engine.loaded_bodies()
     }
 
-    /// The verdict on a load, with the fields that `extent` asks for, and further facts about the load path.
+    /// The verdict on a load, and facts about its load path (see [`PathFacts`]). `extent` says which fields of the verdict are computed.
     pub(crate) fn hold_to_an_extent(
         &self,
         load: &Ramp<C>,
@@ -291,15 +294,15 @@ impl<const C: usize> Grasp<C> {
         Ok((outside(verdict), more))
     }
 
-    /// The verdict on a load without states, proofs and the data that only its sentence needs. The second value is the largest ratio of a rotation,
-    /// slip or opening to its limit of small motions, on the part of the path that was followed.
+    /// The verdict on a load without equilibria, proofs and the data that only its sentence in words needs. The second value is the largest ratio of
+    /// a rotation, slip or opening to its limit of small motions, on the part of the path that was followed.
     pub(crate) fn hold_briefly(&self, load: &Ramp<C>) -> Result<(Verdict<C>, f64), Error> {
         let (verdict, more) = self.engine.hold_with(&inside(load), &self.settings, VerdictScope::Brief)?;
         Ok((outside(verdict), more.farthest))
     }
 
-    /// The size (N) and unit direction of the least force through a point (m) with which a motion exceeds its limit of small motions while everything
-    /// sticks. The force acts in addition to a base load. `None` if no force has this effect.
+    /// The size (N) and unit direction of the least force through a point (m) that is too large for the theory of small motions. Under it a rotation,
+    /// slip or opening exceeds its limit while every contact sticks. The force acts in addition to a base load. `None` if no force has this effect.
     pub(crate) fn farthest_direction(
         &self,
         base: &Wrench<C>,
@@ -308,8 +311,9 @@ impl<const C: usize> Grasp<C> {
         self.engine.farthest_direction(&inside(base), point, &self.settings)
     }
 
-    /// The least margin of sticking under the base load (by which a contact force is inside its friction cone), divided by the largest force. It is
-    /// computed as if every contact stuck. `None` if all forces are zero, or if no contact resists the load.
+    /// The least margin of sticking under the base load, as a fraction of the largest force. The margin is the distance, N, of a contact force from
+    /// the edge of its friction cone or from opening. It is computed as if every contact stuck, and negative beyond the edge. `None` if all forces
+    /// are zero, or if nothing resists the load.
     pub(crate) fn sticking_margin(&self, base: &Wrench<C>) -> Option<f64> {
         self.engine.sticking_margin(&inside(base), &self.settings)
     }
@@ -376,8 +380,8 @@ impl<const C: usize> Grasp<C> {
         self.engine.label_of(part)
     }
 
-    /// End points of the rigid links of the hand, m, in the initial posture, for pictures: from one revolute joint to the next, and from the last
-    /// joint to the contacts.
+    /// End points of the rigid links of the hand, m, in the initial posture, for pictures. A link leads from one revolute joint to the next, or from
+    /// the last joint to a contact.
     #[must_use]
     pub fn links(&self) -> &[[SVector<f64, C>; 2]] {
         &self.door().links
@@ -416,7 +420,8 @@ impl<const C: usize> Bodies<C> {
     }
 }
 
-/// The engine of a grasp without joints. A contact with a given normal force moves on a slide: a prismatic joint without a spring.
+/// The engine of a grasp without joints. A contact with a given normal force is put on a slide, a prismatic joint without a spring. There its force
+/// stays constant however the contact moves.
 fn engine_of_contacts(contacts: Vec<Contact<3>>) -> Result<Engine, Error> {
     if contacts.iter().any(|contact| contact.force.is_some()) {
         return Hand::new(contacts.into_iter().map(Finger::fixed)).engine(None);

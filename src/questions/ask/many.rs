@@ -1,4 +1,5 @@
 //! Grasps whose data are uncertain: random samples of the data, and the load up to which the probability that a contact slides stays below a limit.
+//! The base load is constant and acts before the other load grows.
 
 use super::grasp::Grasp;
 use crate::error::Error;
@@ -9,12 +10,13 @@ use crate::prelude::*;
 use crate::sweep::{Reserve, Uncertainty};
 
 impl<const C: usize> Grasp<C> {
-    /// The loads up to which all contacts stick with a reserve of `sigmas` standard deviations of the uncertain data. A load of any direction is
-    /// added to a base load. Of all grasps within the uncertainty at most the fraction Φ(-sigmas) – 0.00135 for three – has a contact that slides
-    /// below [`Reserve::along`]. The probabilities of all contacts are included, not only of the contact that slides first. Effects of the uncertain
-    /// data on contact forces are computed beyond first order. They are computed together, at the values of the data with which a contact most
-    /// probably slides. A quarter of the fraction Φ(-sigmas), the normal distribution function at -`sigmas`, is kept back for neglected effects. The
-    /// program `reserve` in `examples/reports` compares the result with samples.
+    /// The loads up to which all contacts stick although the data are uncertain, with a reserve of `sigmas` standard deviations. A load of any
+    /// direction is added to a base load; [`Reserve::along`] returns how much of it.
+    ///
+    /// Up to this load, at most the fraction Φ(-`sigmas`) of all grasps with such data has a contact that slides: 0.00135 for three deviations. Φ is
+    /// the normal distribution function. Every contact counts, not only the contact that slides first. Contact forces are computed beyond first order
+    /// in the uncertain data, at the data with which a contact most probably slides. A quarter of the fraction is kept back for the effects that this
+    /// computation neglects. The program `reserve` in `examples/reports` compares the result with samples.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
@@ -44,8 +46,8 @@ impl<const C: usize> Grasp<C> {
         self.engine.reserve(&inside(&base.into()), uncertainty, sigmas, &self.settings).map(outside)
     }
 
-    /// The first slips ([`Self::onset`]) of the samples 0, 1, …, `samples` - 1 of [`Self::sample`], each with its own factor on the load, in this
-    /// order. The bits are the same for any number of threads. An error in one sample does not stop the others.
+    /// The first slips ([`Self::onset`]) of the samples 0, 1, …, `samples` - 1 of [`Self::sample`], in this order. Each sample has its own factor on
+    /// the load. The results are the same to the last bit for any number of threads. An error in one sample does not stop the others.
     #[must_use]
     pub fn onset_of_samples(
         &self,
@@ -56,13 +58,14 @@ impl<const C: usize> Grasp<C> {
         all_answers(self.engine.onset_of_samples(&inside(&ramp.into()), uncertainty, samples, &self.settings))
     }
 
-    /// Sample `number` of a grasp with uncertain data, joint springs of a hand included. Its random numbers depend only on the seed and on `number`,
-    /// whatever else is sampled. See [`Uncertainty`]; the factor on the load of a sample is [`Uncertainty::load_factor`].
+    /// A copy of this grasp with random data: sample `number` of its uncertain data, which include the joint springs of a hand. Its random numbers
+    /// depend only on the seed and on `number`, whatever else is sampled. [`Uncertainty::load_factor`] gives the factor on the load that belongs to
+    /// the sample.
     ///
     /// # Errors
     /// [`Error::Contact`] if an uncertainty is not a number, or so large that a datum leaves its range (1e50 at most). [`Error::Link`] if the grasp
-    /// cannot hold the tension of a link with these data. [`Error::NotForHands`] for uncertain positions of a hand's contacts, which would move
-    /// differently with its joints.
+    /// cannot hold the tension of a link with these data. [`Error::NotForHands`] for uncertain positions of contacts if the grasp has joints: a
+    /// displaced contact would follow a joint differently.
     pub fn sample(&self, uncertainty: &Uncertainty, number: u64) -> Result<Self, Error> {
         self.changed(self.engine.sample(uncertainty, number))
     }

@@ -1,5 +1,5 @@
-//! The load factor or the angle at which the first contact stops sticking. A ramp is a load, or commands of fingers, that grow in proportion to a
-//! load factor.
+//! The load factor or the angle at which the first contact stops sticking. On a ramp the load, the commands of fingers (displacements that they would
+//! make without the object), or both change in proportion to a load factor.
 
 use super::grasp::Grasp;
 use crate::equilibrium::Equilibrium;
@@ -9,11 +9,12 @@ use crate::load_path::{Beyond, Onset, OnsetEvent, Ramp, Turn, TurnOnset};
 
 impl<const C: usize> Grasp<C> {
     /// The load factor at which the first contact stops sticking as a load grows from zero, or along a [`Ramp`]. The answer names the contacts that
-    /// stop sticking, and whether they slide or open. It is exact in the plane, and in space on the round cone. It needs neither steps nor bisection:
-    /// a linear equation for each facet in the plane, a quadratic equation for each contact on the round cone.
+    /// stop sticking, and whether they slide or open. The load factor is exact up to rounding, in the plane and in space on the round cone. It is
+    /// computed without steps or bisection. In the plane there is a linear equation for each edge of a friction cone, on the round cone a quadratic
+    /// equation for each contact.
     ///
-    /// One more call each gives the equilibrium at first slip, [`Self::state_at_onset`], and the behaviour just beyond the first slip,
-    /// [`Self::beyond`].
+    /// From the event in the answer, [`Self::state_at_onset`] computes the equilibrium at first slip, and [`Self::beyond`] the behaviour just beyond
+    /// it.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Ramp, Wrench};
@@ -70,8 +71,9 @@ impl<const C: usize> Grasp<C> {
         self.engine.beyond(&inside(event), &self.settings).map(outside)
     }
 
-    /// The angle of the load at which the first contact stops sticking while the load turns: exact in the plane, and in space on the round cone. It
-    /// needs no steps: each margin is a trigonometric polynomial, whose roots are isolated between its extrema, so that no root is missed.
+    /// The angle at which the first contact stops sticking while the load turns. It is exact up to rounding, in the plane and in space on the round
+    /// cone. No steps are needed: the condition of each contact is a trigonometric polynomial of the angle. Its roots are isolated between its
+    /// extrema, so that none is missed.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Onset, Turn};

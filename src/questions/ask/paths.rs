@@ -7,11 +7,13 @@ use crate::load_path::{Leg, LoadPath, SteppedPath, path_outside};
 use crate::shake::Shaken;
 
 impl<const C: usize> Grasp<C> {
-    /// Follows a load program from the equilibrium under `start`, as found by [`Self::solve`], with the finger commands of the grasp, on the exact
-    /// cone: in space the round cone. Events after the start are computed only when the returned path is iterated. See [`LoadPath`], and [`Leg`] for
-    /// an example. The path ends as soon as a suction cup is open all around. If nothing resists the object any more, it moves freely until a gap
-    /// closes. If that motion is small, the path continues after it ([`Jump::reaches`](crate::load_path::Jump::reaches)). For hundreds of contacts
-    /// and more use [`Self::follow_in_steps`].
+    /// Follows a load program from the equilibrium under `start` that [`Self::solve`] finds with the finger commands of the grasp. In space the
+    /// friction cone is round. Events after the start are computed only when the returned path is iterated. See [`LoadPath`], and [`Leg`] for an
+    /// example.
+    ///
+    /// The path ends as soon as a suction cup is open all around. If nothing resists the object any more, the object moves freely until a gap closes.
+    /// If this free motion is small, the path continues after it ([`Jump::reaches`](crate::load_path::Jump::reaches)). For hundreds of contacts and
+    /// more use [`Self::follow_in_steps`].
     ///
     /// # Errors
     /// [`Error::Wrench`] if a load, [`Error::Contact`] if a command of a leg is not finite or beyond 1e50; [`Error::Size`] if a leg has more or fewer
@@ -23,8 +25,8 @@ impl<const C: usize> Grasp<C> {
     }
 
     /// Whether the grasp survives a load that repeats. From rest under `base`, a closed cycle of legs (sections of a load program) is followed again
-    /// and again. Either the grasp comes to rest, or contacts slide to and fro for ever, or the object walks by the same motion in every cycle, or it
-    /// is lost in some cycle. [`Shaken`] says in a sentence which of these happens in all cycles; see [`shake`](crate::shake). At most
+    /// and again. The grasp may come to rest, or contacts slide to and fro for ever. Or the object walks, by the same motion in every cycle, or is
+    /// lost in some cycle. [`Shaken`] says in a sentence which of these happens; see [`shake`](crate::shake). At most
     /// [`Settings::most_cycles`](crate::Settings::most_cycles) cycles are followed.
     ///
     /// ```
@@ -58,9 +60,9 @@ impl<const C: usize> Grasp<C> {
     /// of `error`. Suction cups keep their vacuum even if their lips open. A path in steps ends as soon as nothing resists the object any more. See
     /// [`SteppedPath`].
     ///
-    /// If no step continues the path, its end is [lost](crate::load_path::PathEnd::Lost) if the motion of the loss is known, from the speed of the
-    /// object or from the rates of forces and motion in the possible states of contacts on the edge of their cones. Otherwise its end is
-    /// [undecided](crate::load_path::PathEnd::Undecided).
+    /// If no step continues the path, its end is either [lost](crate::load_path::PathEnd::Lost) or [undecided](crate::load_path::PathEnd::Undecided).
+    /// It is lost if the speed of the object, per unit of load, grows without bound towards the end. It is also lost if no rates of forces and motion
+    /// exist, whatever the states of the contacts on the edge of their cones.
     ///
     /// In the plane friction forces do not turn: a step errs only if contacts begin to slide, stop, open or close within it.
     ///

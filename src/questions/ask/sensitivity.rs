@@ -1,4 +1,5 @@
-//! Derivatives of answers (equilibria, load factors at first slip) with respect to the data of the grasp. A motion is free if no spring resists it.
+//! Derivatives of answers (equilibria, load factors at first slip) with respect to the data of the grasp. A margin of sticking is the distance of a
+//! contact force from the edge of its friction cone, or the normal force. A motion is free if no spring resists it.
 
 use super::grasp::Grasp;
 use crate::equilibrium::Equilibrium;
@@ -13,8 +14,8 @@ impl<'g, const C: usize> Sensitivity<'g, C> {
     /// The margins of sticking that vanish at a first slip. They give the derivatives of the load factor at first slip with respect to every
     /// parameter.
     ///
-    /// `None` if a contact closed before the first slip, because the first slip then depends on the slips so far, or if a contact closes at the first
-    /// slip and slides at once. Also `None` if the event has another number of contacts.
+    /// `None` if a contact closed before the first slip: the first slip then depends on how far that contact slipped before it closed. Also `None` if
+    /// a contact closes at the first slip and slides at once. Finally `None` for the event of a grasp with another number of contacts.
     ///
     /// ```
     /// use grasp_lcp::load_path::Parameter;
@@ -40,9 +41,11 @@ impl<'g, const C: usize> Sensitivity<'g, C> {
     }
 
     /// Derivative of an equilibrium of this grasp with respect to one parameter while every contact keeps its state. It takes one linear solve and is
-    /// exact. On a load path earlier slips are held constant. `None` if an index is out of range or the equilibrium has another number of contacts.
-    /// Also `None` for the position of a contact of a hand, and if changed geometry would resist a motion that is free now. Finally `None` if no
-    /// equilibrium in these states balances the change, because a load does work along a free motion.
+    /// exact. For an equilibrium of a load path, the slips before it stay constant.
+    ///
+    /// `None` if an index is out of range, or the equilibrium has another number of contacts. `None` also for the position of a contact of a hand,
+    /// and if changed geometry would resist a motion that is free now. `None` finally if no equilibrium with these contact states balances the
+    /// change, because a load does work along a free motion.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};

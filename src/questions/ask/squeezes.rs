@@ -10,9 +10,9 @@ impl<const C: usize> Grasp<C> {
     /// The least factor on all finger commands and vacuums with which every contact touches and sticks under each of a set of loads. In space
     /// friction cones are round.
     ///
-    /// The margin of every sticking condition is linear in the factor or concave, so the factors with which all conditions hold form an interval. The
-    /// search begins at a lower bound of these factors. A condition broken at this bound gives a larger bound, until no condition is broken.
-    /// Clearances do not change.
+    /// The factors with which every contact sticks form an interval, because the margin of each sticking condition is a concave function of the
+    /// factor. The search starts below this interval. As long as a condition is broken at the present factor, that condition gives a larger lower
+    /// bound of the interval, which is tried next. Clearances are not multiplied.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, LeastSqueeze, Loads, Turn, Wrench};
@@ -49,8 +49,9 @@ impl<const C: usize> Grasp<C> {
     /// contact forces `F⁰ + A x`. Here A is the influence matrix of the grasp and a the row of the facet, whose condition is `a·F >= 0`. The shortest
     /// x that breaks it lies along `-Aᵀa` and has the size `a·F⁰ / |Aᵀa|`.
     ///
-    /// The round cone has a facet at every angle. The least force is found where a trigonometric polynomial falls below zero, see
-    /// [`squeeze`](crate::squeeze). It is thus the least over all directions up to rounding, whatever the number of minima.
+    /// The round cone has a facet at every angle φ, and the least force over all φ is sought. A force of size s breaks no condition as long as a
+    /// trigonometric polynomial in φ is nowhere negative, see [`squeeze`](crate::squeeze). All its sign changes are found. The result is therefore
+    /// the least of all minima, up to rounding.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, WeakestDirection, Wrench};

@@ -14,7 +14,7 @@ pub struct Statics<'g, const C: usize>(pub(super) &'g Grasp<C>);
 impl<const C: usize> Statics<'_, C> {
     /// Whether contact forces inside their friction cones could balance any load; in space on the round cone.
     ///
-    /// Stiffness, commands and squeeze play no part: the question is whether the fingers *could* balance any load if they pressed as needed.
+    /// The answer does not depend on stiffness, commands and squeeze: it says whether the fingers *could* balance any load if they pressed as needed.
     ///
     /// ```
     /// use grasp_lcp::planar::{Closure, Contact, Grasp};
@@ -65,7 +65,8 @@ impl<const C: usize> Statics<'_, C> {
     }
 
     /// The largest factor λ for which *some* contact forces balance the load `base + λ direction`, with normal forces within a budget. This is limit
-    /// analysis, in space on the round cone. Vacuums of suction cups pull in addition. Springs and commands play no part, unlike in [`Grasp::hold`].
+    /// analysis, in space on the round cone. Pulls of suction cups act in addition and are not part of the budget. The factor does not depend on
+    /// springs and commands, unlike the answer of [`Grasp::hold`].
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
@@ -99,7 +100,8 @@ impl<const C: usize> Statics<'_, C> {
     /// The measure ε of Ferrari and Canny: the size, N, up to which contact forces within a budget balance loads of every direction. It is computed
     /// with the default [`WrenchScale`] and [`Settings`](crate::Settings): on the round cone in space.
     ///
-    /// Vacuums of suction cups pull in addition: a load is balanced if forces within the budget and these pulls balance it together.
+    /// Pulls of suction cups are not part of the budget. A load counts as balanced if contact forces within the budget, together with these pulls,
+    /// balance it.
     ///
     /// ε measures which loads some contact forces *could* balance. [`Self::onset`](Grasp::onset) takes the springs and the squeeze of the grasp into
     /// account.
@@ -138,8 +140,8 @@ impl<const C: usize> Statics<'_, C> {
     }
 
     /// The multiple of `budget` that a load needs, as a lower and an upper bound. With `Budget::Each(1.0)` it is the normal force, N, that no contact
-    /// must exceed in the best balance; with `Budget::Total(1.0)` the least sum of normal forces, N. Infinite if no forces balance the load; from 0
-    /// to infinity if that is not known.
+    /// must exceed in the best balance; with `Budget::Total(1.0)` the least sum of normal forces, N. Both bounds are infinite if no contact forces
+    /// balance the load. They are 0 and infinity if it is not known whether some do.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
@@ -164,9 +166,9 @@ impl<const C: usize> Statics<'_, C> {
     /// Splits the contact forces of an equilibrium of this grasp into equilibrating forces, which balance the load W, and interaction forces, which
     /// balance one another. The paper on which the crate is based (`paper-notes.md`) defines them in section 5.2.
     ///
-    /// The equilibrating forces are the least-squares solution of `Σ G_i F_i = -W`. In it the difference of the forces of any two frictional contacts
-    /// has no component along the line that joins them. Separated contacts carry neither force. For an equilibrium of another grasp the lists are as
-    /// long as the shorter list of contacts.
+    /// The equilibrating forces are the least-squares solution of `Σ G_i F_i = -W`. Thus no two frictional contacts press against each other: the
+    /// difference of their equilibrating forces has no component along the line that joins them. Separated contacts carry neither force. If the
+    /// equilibrium belongs to another grasp, the answer is as long as the shorter of the two lists of contacts.
     ///
     /// ```
     /// use grasp_lcp::nalgebra::Vector2;
@@ -187,9 +189,10 @@ impl<const C: usize> Statics<'_, C> {
         outside(self.0.of_equilibrium(equilibrium).engine.decompose(&inside(equilibrium)))
     }
 
-    /// The shakedown factor: the largest multiple of these loads, each added to a base load in any order, at which some constant slips could keep
-    /// every contact from sliding. At a larger multiple the grasp never comes to rest as long as no contact opens; [`Grasp::shake`] shows whether the
-    /// grasp comes to rest at a smaller one. In space a polygon around the round cone is used, with as many facets as
+    /// The shakedown factor of loads that are added to a base load, one at a time, in any order and again and again. It is the largest multiple of
+    /// these loads under which no contact needs to slide for ever. That is, some residual slips, which stay constant, keep every contact inside its
+    /// friction cone under each load. At a larger multiple the grasp never comes to rest as long as no contact opens. [`Grasp::shake`] shows whether
+    /// it comes to rest at a smaller one. In space a polygon around the round cone is used, with as many facets as
     /// [`Settings::cone`](crate::Settings::cone). `None` if no slips keep the grasp at rest under the base load, or if nothing resists a load.
     ///
     /// Of the static questions only this one depends on springs and commands: slips push contacts against each other.

@@ -1,5 +1,5 @@
-//! Memory for one first slip after another, for loops that must not wait for an allocator. A ramp is a load that grows in proportion, in addition to
-//! a constant base load.
+//! Reusable memory for computing many first slips, one after another, in loops that must not wait for an allocator. At first slip the first contact
+//! stops sticking. On a ramp a load, commands of fingers, or both change in proportion to a load factor, in addition to a constant base load.
 
 use super::grasp::Grasp;
 use crate::equilibrium::Settings;
@@ -8,13 +8,13 @@ use crate::grasp::{Wrench, outside};
 use crate::load_path::{Onset, Ramp};
 use crate::numerics::Memory;
 
-/// Memory for one first slip after another, for loops that must not wait for an allocator. The memory is used again for each grasp and ramp. The
-/// answers equal the answers of [`Grasp::onset`].
+/// Reusable memory for computing many first slips, one after another, in loops that must not wait for an allocator. Grasp and ramp may differ from
+/// call to call. The answers equal those of [`Grasp::onset`].
 ///
-/// From the second call on no memory is allocated if the grasp has no more contacts than before, and one contact stops sticking before all others.
-/// Memory is allocated if contact states must be found from the rates of contact forces. This is so if several contacts reach the edges of their
-/// cones together, a gap closes before the first slip, or some contact does not clearly stick under the base load. Memory is also allocated for the
-/// matrix factors of a grasp at its first call and, for a grasp with more than 256 contacts, at every call.
+/// From the second call on no memory is allocated if the grasp has no more contacts than before, and one contact clearly stops sticking first. Memory
+/// is allocated if several contacts reach the edges of their cones together, or a gap closes before the first slip. It is also allocated if some
+/// contact does not clearly stick under the base load. In these cases the states of contacts have to be searched for. The first call with a grasp
+/// allocates its factorised matrices; with more than 256 contacts every call does.
 ///
 /// ```
 /// use grasp_lcp::planar::{Contact, Grasp, OnsetWorkspace, Ramp, Wrench};
@@ -40,7 +40,7 @@ pub struct OnsetWorkspace<const C: usize> {
     /// The last answer with vectors of `C` components; `kept` is the same answer with the three components of the engine.
     returned: Option<Onset<C>>,
     kept: Option<Onset<3>>,
-    /// The last ramp, with the three components of the engine; its memory is reused.
+    /// The last ramp, with the three components of the engine. The next ramp is written into its memory.
     ramp: Option<Ramp<3>>,
 }
 

@@ -1,5 +1,5 @@
-//! The load factor at which a friction constraint of the quadratic program of minimum energy first binds, while load and commands change linearly
-//! with the factor. A command is the displacement that a finger would make without the object, a ramp a load that grows in proportion.
+//! The load factor at which a friction constraint of the quadratic program of minimum energy first binds, i.e. holds as an equality. On a ramp load
+//! and commands change linearly with this factor. A command is the displacement that a finger would make without the object.
 
 use nalgebra::SVector;
 
@@ -19,10 +19,10 @@ use crate::prelude::*;
 /// The load factors from 0 for which the minimum of energy is an equilibrium.
 ///
 /// Load and commands are affine functions of the factor τ. The vector of the complementarity problem of the [quadratic program](super::MinimumEnergy)
-/// is therefore affine in τ, too, and its matrix is constant. Lemke's method with τ as the parameter follows the solution from τ = 0, and each pivot
-/// changes the set of open contacts. It ends once the multiplier of a friction constraint enters the basis: at larger load factors this multiplier
-/// acts on the object like an external force, and Coulomb's law is violated. The paper (see [`energy`](crate::energy)) takes this load factor for the
-/// onset of sliding.
+/// is therefore affine in τ, too, and its matrix is constant. Lemke's method with τ as the parameter follows the solution from τ = 0; each of its
+/// pivots opens or closes a contact. The range ends at the pivot at which the multiplier of a friction constraint becomes positive. At larger load
+/// factors this multiplier acts on the object like an external force, and Coulomb's law is violated. The paper (see [`energy`](crate::energy)) takes
+/// this load factor for the onset of sliding.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub enum Agreement<const C: usize> {
@@ -119,9 +119,9 @@ impl Line<'_> {
         matches!(path.end(), Some(lcp::PathEnd::Unbounded(_))).then_some(Agreement::Always)
     }
 
-    /// The answer at the pivot at which the multiplier of friction constraint `row`, an index into `program.friction`, enters the basis. `faces` are
-    /// the constraints that are active before this pivot. `seen` is the load factor of the pivot, with the rounding errors of all pivots; the factor
-    /// of the answer is therefore computed anew from the active springs.
+    /// The answer if a friction constraint begins to bind at a pivot; `row` is its index in `program.friction`. `faces` are the constraints that are
+    /// active before this pivot. `seen` is the load factor according to the pivots, whose rounding errors it contains. Therefore the load factor of
+    /// the answer is computed anew from the active springs.
     fn ends(&self, faces: &Faces, row: usize, seen: f64) -> Option<Agreement<3>> {
         let [forces, rates] = self.forces(&self.program.springs(faces))?;
         let friction = &self.program.friction;

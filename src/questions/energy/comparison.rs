@@ -147,8 +147,8 @@ impl<const C: usize> MinimumEnergy<C> {
         self.balanced
     }
 
-    /// At the minimum of energy, the magnitudes of the sum of contact forces and load, `|Σ F + W|`, N, and of the sum of all moments about the
-    /// origin, `|Σ r × F + M|`, N m.
+    /// How far the object is from equilibrium at the minimum of energy. First comes the magnitude of the sum of contact forces and load, `|Σ F + W|`,
+    /// N. Second comes that of the sum of their moments about the origin, `|Σ r × F + M|`, N m.
     #[must_use]
     pub fn out_of_balance(&self) -> (f64, f64) {
         let (mut force, mut moment) = (0.0_f64, 0.0_f64);

@@ -2,8 +2,8 @@
 //!
 //! Let F be the contact forces, K the stiffness and G the grasp map. Energy coordinates are `x = K^{-1/2} F`. In them every condition `n·x >= 0` on
 //! one contact's force has a normal n of unit length, so that ratios of stiffnesses cancel. With the orthogonal factor Q of `K^{1/2}Gᵀ = Q R`,
-//! `Π = QQᵀ` is the projector on the motions of the object. The optimality conditions need only the products `n·Π n'` and `n·(1 - Π) n'` of two
-//! normals n, n', and the values `n·x⁰` at the forces x⁰ if everything sticks.
+//! `Π = QQᵀ` is the projector on the motions of the object. Let x⁰ be the forces if everything sticks. The optimality conditions need only the values
+//! `n·x⁰`, and the products `n·Π n'` and `n·(1 - Π) n'` of two normals n, n'.
 
 use nalgebra::{DMatrix, DVector, SVector};
 
@@ -23,13 +23,14 @@ pub(super) struct ForceCondition {
     /// Index, from 0, of the facet of the friction cone to which the condition belongs; `None` for the condition that the normal force is not
     /// negative.
     pub(super) facet: Option<usize>,
-    /// The same condition for the force in N, `law·F_i >= 0`: `law·F_i` is the friction margin `μ F_n - h·F_t` at a facet h, or the normal force F_n.
+    /// The coefficients of the same condition for the force F_i in N, `law·F_i >= 0`. The product is the friction margin `μ F_n - h·F_t` at a facet
+    /// h, or the normal force F_n.
     law: SVector<f64, 3>,
     /// Unit vector along `K^{1/2} law`, with the contact's stiffness K.
     pub(super) normal: SVector<f64, 3>,
     /// Norm of `K^{1/2} law`, by which the condition is divided in energy coordinates.
     pub(super) length: f64,
-    /// Bound of the rounding error of [`Self::value`], divided by that of the largest contact force; no unit.
+    /// Bound of the rounding error of [`Self::value`], as a multiple of the rounding error of the largest contact force.
     pub(super) weight: f64,
     /// Qᵀ times the normal, with the orthogonal factor Q of all springs: the coordinates of the normal's projection on motions of the object.
     pub(super) rows_of_factor: Vector,
@@ -78,7 +79,7 @@ impl ForceCondition {
     }
 }
 
-/// The springs along those axes of contact frames for which `holds(contact, axis)` is true; axis 0 is the normal.
+/// A linear problem with springs only along those axes of contact frames for which `holds(contact, axis)` is true; axis 0 is the normal.
 pub(super) fn axis_springs(sites: &[Site], holds: &dyn Fn(usize, usize) -> bool) -> LinearProblem {
     LinearProblem::of_springs(sites, &|contact, list| {
         let springs = &sites[contact].springs;
@@ -109,7 +110,7 @@ pub(super) fn rows(
     rows
 }
 
-/// For each condition the value `n·x` of its normal n and the contact forces in energy coordinates x.
+/// The left side `n·x` of each condition, with its unit normal n and the contact forces in energy coordinates x.
 pub(super) fn values<'r>(
     rows: impl IntoIterator<Item = &'r ForceCondition>,
     forces: &[SVector<f64, 3>],

@@ -2,7 +2,7 @@
 //!
 //! The quadratic program is solved through its optimality conditions (`optimality`). Lemke's method finds the open gaps and the binding friction
 //! constraints. The springs that remain active then determine the minimum. The multipliers of the constraints are forces on the **object** that no
-//! contact exerts: the minimum is an equilibrium exactly if the resultant force and moment of these forces are zero. The command of a contact is the
+//! contact exerts. The minimum is an equilibrium exactly if these forces have no resultant force and moment. The command of a contact is the
 //! displacement that its finger would make without the object.
 
 use nalgebra::{Matrix, SVector};

@@ -1,9 +1,10 @@
 //! The optimality conditions of the quadratic program of minimum energy on orthogonal factors, and their solution.
 //!
-//! Let K be the stiffness, a the offsets of the contacts (command, the displacement of the finger without the object, less clearance), G the grasp
-//! map and q the motion of the object. A = K^{1/2}Gᵀ has an orthogonal factor Q and a triangular factor R, A = QR, and Π = QQᵀ. The state in which
-//! everything sticks has the motion q⁰ and, in energy coordinates, the forces x⁰ = K^{1/2}(a - Gᵀq⁰). Scaled gaps ĝ = √k_n g, with the gaps g and
-//! normal stiffnesses k_n, act along the columns of E. The rows of the friction constraints N x >= 0 have unit length. The quadratic program is
+//! Let K be the stiffness, a the offsets of the contacts, G the grasp map and q the motion of the object. The offset is the command (displacement of
+//! the finger without the object) less the clearance. A = K^{1/2}Gᵀ has an orthogonal factor Q and a triangular factor R, A = QR, and Π = QQᵀ. The
+//! state in which everything sticks has the motion q⁰ and, in energy coordinates, the forces x⁰ = K^{1/2}(a - Gᵀq⁰). Scaled gaps ĝ = √k_n g, with the
+//! gaps g and normal stiffnesses k_n, act along the columns of E. The rows of the friction constraints N x >= 0 have unit length. The quadratic
+//! program is
 //!
 //! ```text
 //! minimise ½|p|² - pᵀQᵀE ĝ + ½|ĝ|² + x⁰ᵀE ĝ      x = x⁰ - Q p + E ĝ,   p = R (q - q⁰)
@@ -36,8 +37,8 @@ use crate::numerics::{IntoList, Singular, Vector, mapped, numbered};
 use crate::object::{ForcesAndTwist, LinearProblem, Problem};
 use crate::prelude::*;
 
-/// The quadratic program in energy coordinates: conditions on the normal forces of gaps that may open, friction constraints that may bind, and the
-/// springs while everything sticks.
+/// The quadratic program in energy coordinates. `gaps` are the conditions F_n >= 0 of contacts whose gap may open, `friction` the friction
+/// constraints that may bind. `stuck` are the springs while everything sticks.
 pub(super) struct EnergyProgram<'g> {
     pub(super) problem: Problem<'g>,
     pub(super) stuck: LinearProblem,
@@ -84,8 +85,8 @@ impl<'g> EnergyProgram<'g> {
         self.gaps.iter().chain(&self.friction)
     }
 
-    /// The vector of the linear complementarity problem: the values of the gap conditions, then of the friction constraints, at the contact forces
-    /// `stuck` (N) of the state in which everything sticks.
+    /// The vector of the linear complementarity problem: the left sides of the gap conditions, then of the friction constraints. `stuck` are the
+    /// contact forces if everything sticks, N.
     pub(super) fn vector(&self, stuck: &[SVector<f64, 3>]) -> DVector<f64> {
         values(self.rows(), stuck)
     }
@@ -150,8 +151,8 @@ impl<'g> EnergyProgram<'g> {
     }
 
     /// The candidate for the minimum with these open gaps and binding friction constraints. `None` if binding constraints are linearly dependent, or
-    /// the active springs do not resist the load. If the active springs leave motions free and a gap is negative at the motion of least norm, the
-    /// part of `near`, the motion in Lemke's solution, that stretches no active spring is added.
+    /// the active springs do not resist the load. The active springs may leave motions free; then the motion of least norm is taken. If a gap is
+    /// negative there, a free motion is added: that part of `near`, the motion in Lemke's solution, which stretches no active spring.
     pub(super) fn on_faces(
         &self,
         faces: &Faces,
@@ -192,13 +193,14 @@ impl<'g> EnergyProgram<'g> {
     /// coordinates of the active springs. `None` if constraints are linearly dependent.
     ///
     /// The normal springs of open gaps are removed. The normal component x_n at such a contact is determined by the multipliers λ alone,
-    /// `x_n = (Nᵀλ)_n`. With the orthogonal factor Q of the active springs, the columns N_n of N for these normal components, and `M = [N Q, N_n]`,
+    /// `x_n = (Nᵀλ)_n`. Let Q be the orthogonal factor of the active springs, N_n the columns of N for these normal components, and `M = [N Q, N_n]`.
+    /// Then
     ///
     /// ```text
     /// N x' + M Mᵀλ = 0,     x = x' + Q (first part of Mᵀλ)
     /// ```
     ///
-    /// is solved on the orthogonal factor of Mᵀ.
+    /// These equations are solved on the orthogonal factor of Mᵀ.
     fn bind(
         &self,
         faces: &Faces,
@@ -272,8 +274,8 @@ impl<'g> EnergyProgram<'g> {
         };
         let x_size = (0..problem.len()).map(x).fold(0.0, f64::max);
         let largest = point.multipliers.iter().fold(x_size, |most, l| most.max(l.abs()));
-        // `push - held`, N, is the multiplier of the condition that a gap is not negative: the normal force less the normal component of the forces
-        // of the friction multipliers. In energy coordinates it is `√k_n (x - Nᵀλ)_n`.
+        // `push - held`, N, is the multiplier of the condition that a gap is not negative. `push` is the normal force, `held` the normal component of
+        // the force that the friction multipliers exert. In energy coordinates it is `√k_n (x - Nᵀλ)_n`.
         let held = self.held_from_outside(&point.multipliers);
         let gap_holds = |row: &ForceCondition| {
             let i = row.contact;

@@ -1,6 +1,6 @@
-//! The verdict on a load. The load path is followed from the base load (load factor 0) to the whole load (factor 1), and on to the factor
-//! `Settings::most_load` or to the loss of equilibrium. The base load acts before the load grows; at rest means under it. Motions are small within
-//! the limits of rotation, slip and opening up to which the linear theory is trusted. A drive is a motor, clutch or tendon of a joint.
+//! The verdict on a load. The load path leads from the base load (load factor 0) to the whole load (factor 1). It is followed further, to the load
+//! factor `Settings::most_load` or to the loss of equilibrium. The base load acts before the load grows; at rest means under it. Motions are small
+//! within the limits of rotation, slip and opening up to which the linear theory is trusted. A drive is a motor, clutch or tendon of a joint.
 
 use core::mem::{Discriminant, discriminant};
 
@@ -34,7 +34,8 @@ pub(crate) enum VerdictScope {
     /// Like `Measured`, but without the proof near the loss and without the data that only sentences need. The base load is not followed from zero to
     /// find out whether the grasp loses it.
     Decided,
-    /// Without equilibria, proofs and the data that only sentences need: for [`super::ShortVerdict`]. The path is followed as far as for `Whole`.
+    /// Only the fields that a [`super::ShortVerdict`] needs: no equilibria, no proofs and no data for sentences. The path is followed as far as for
+    /// `Whole`.
     Brief,
 }
 
@@ -220,7 +221,7 @@ impl Engine {
         Ok((verdict, of_the_path))
     }
 
-    /// The [`Holding`] of a path that ended before the whole load was applied with small motions.
+    /// The [`Holding`] if the path ended before it reached the whole load: equilibrium was lost or not found at the start, or the path is undecided.
     fn holding_of_end(
         &self,
         path: &LoadPath<'_, 3>,
@@ -238,8 +239,8 @@ impl Engine {
             self.lost_at_rest(base, settings).map_or(otherwise, |at_rest| Holding::LostAtRest { at_rest })
         };
         match path.end() {
-            // Without an equilibrium at the loss, the base load itself is not held: contacts slide under it, their friction falls to the kinetic
-            // value, and no other contact catches the object.
+            // If no equilibrium is known at the loss, the grasp does not hold the base load itself. Contacts slide under it, so that their friction
+            // falls to the kinetic value, and no other contact catches the object.
             Some(PathEnd::Lost(_)) if path.state().is_none() => or_at_rest(Holding::Lost),
             Some(PathEnd::Lost(_)) => Holding::Lost,
             Some(PathEnd::NoStart(start)) => match &**start {
@@ -325,7 +326,7 @@ impl Engine {
         let problem = self.problem(polygon, settings.is_round(self.space()), offsets, &Load::from(&load));
         let at = state.local.twist.to();
         // Any virtual motion may give the proof. Two are tried: the motion of the loss, which usually gives it, and the direction of the load. The
-        // proof with the larger radius is returned.
+        // proof that covers the larger neighbourhood of the loss is returned.
         let virtually = [loss.virtual_motion().map(Coordinates::to), Some(load)];
         let radii = virtually.into_iter().flatten().filter_map(|v| nothing_near(&problem, &at, &v));
         let radius = radii.max_by(f64::total_cmp)?;

@@ -105,7 +105,7 @@ impl fmt::Display for CaughtMotion {
 
 impl Engine {
     /// The load factor up to which the grasp holds if all contacts have kinetic friction from the start. `None` if the load path with this friction
-    /// does not end in a loss.
+    /// does not end in a loss of equilibrium up to the whole load.
     pub(super) fn carried_while_it_slides(&self, ramp: &Ramp<3>, settings: &Settings) -> Option<f64> {
         let sliding = self.with_friction_of_sliding().ok()?;
         let mut path = sliding.follow(&ramp.base, &[Leg::along(ramp)], settings).ok()?;

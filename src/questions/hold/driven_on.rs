@@ -1,10 +1,11 @@
 //! Whether forces drive an object on along a motion that nothing resists. A part that two fingertips pinch below its centre of mass turns over,
 //! although every contact sticks; a part that is pinched above its centre of mass hangs.
 //!
-//! Along such a free motion the springs store no energy. Therefore the potential of contact forces and loads alone determines the stability: see
-//! `equilibrium/left_out`. Where it is stable, a load W moves the object by q until it hangs, with `K_g q = W` along the free motions. For a weight W
-//! that hangs at the distance l below a hinge, and a force F to the side of it, this is the angle `F l / (W l)`. Motions are small within the limits
-//! of rotation, slip and opening up to which the linear theory is trusted.
+//! Along such a free motion the springs store no energy. Therefore the potential of contact forces and loads alone determines the stability. Its
+//! second derivative is the geometric stiffness K_g, which arises because the lever arms of forces turn with the object (see `equilibrium/left_out`).
+//! If K_g is positive, a load W moves the object by q until it hangs, with `K_g q = W` along the free motions. Example: a weight G hangs at the
+//! distance l below a hinge, and a force F pulls it to the side. The weight then hangs at the angle `F l / (G l)` to the vertical. Motions are small
+//! within the limits of rotation, slip and opening up to which the linear theory is trusted.
 
 use nalgebra::{DMatrix, SVector};
 
@@ -19,19 +20,19 @@ use crate::prelude::*;
 use crate::search::Settings;
 
 impl Engine {
-    /// The motion that nothing resists and along which the forces of the equilibrium `there` and its `load` drive the bodies on: the potential of the
-    /// forces falls as the bodies turn. It is a combination of the free motions of `there`.
+    /// A motion that nothing resists and along which forces drive the bodies on: the potential of contact forces and `load` falls as the bodies turn.
+    /// The forces are those of the equilibrium `there`, the motion is a combination of its free motions.
     ///
-    /// `None` if there is no such motion, if a vacuum acts, if the point of action of a load is not known, or if a free motion moves a joint or
-    /// shears a closed contact. In the last case the potential of the joint or contact would have to be included.
+    /// `None` if there is no such motion. Also `None` if the potential cannot be computed: a vacuum acts, or the point of action of a load is not
+    /// known. The same holds if a free motion moves a joint or shears a closed contact, whose potential would have to be included.
     pub(super) fn driven_on(&self, there: &Equilibrium<3>, load: &Wrench<3>) -> Option<Motion<3>> {
         let free = mapped(&there.local.free_motions, &|motion| motion.to());
         let (least, motion) = self.free_stiffness(&free, &forces_in(&there.contacts), load)?.pop()?;
         (least < 0.0).then(|| self.motion_outside(&motion))
     }
 
-    /// Sets [`Verdict::swing`] for an object that is lost as soon as the load begins to act, provided that the load alone changes. Then the proof
-    /// `nothing_near` of the loss is removed: it takes the lever arms of the load as constant, but they change as the object swings.
+    /// Sets [`Verdict::swing`] for an object that is lost as soon as the load begins to act, unless commands change with the load. If it swings, the
+    /// proof `nothing_near` of the loss is removed. The proof takes the lever arms of the load as constant, but they change as the object swings.
     pub(super) fn let_swing(&self, verdict: &mut Verdict<3>, ramp: &Ramp<3>, settings: &Settings) {
         let is_load_alone = ramp.command_change.is_none() && ramp.joint_change.is_none();
         if verdict.held_to <= NEGLIGIBLE && verdict.holds() == Some(false) && is_load_alone {
@@ -44,8 +45,8 @@ impl Engine {
 
     /// The small motion from rest to the position in which the object hangs under the whole `load`, along motions that nothing resists.
     ///
-    /// `None` if the load does not move the object along them, or the object would hang only beyond small motions. Also `None` if a contact slides or
-    /// opens under the part of the load that does no work along these motions.
+    /// `None` if the load does no work along such motions, or the object would hang only beyond small motions. The other part of the load, which does
+    /// no work along them, is carried by contacts. `None` also if a contact slides or opens under this part.
     fn swing(&self, load: &Wrench<3>, settings: &Settings) -> Option<Motion<3>> {
         let sticking = StickingResponse::new(self, settings);
         let (free, whole) = (sticking.linear_problem.free_motions(), self.load_alone(load, "load").ok()?);
@@ -77,8 +78,8 @@ impl Engine {
     }
 
     /// The principal geometric stiffnesses of contact forces and `load` along the unit motions `free`, each with its motion, in descending order.
-    /// Stiffnesses within rounding are set to zero. `None` if `free` is empty, and for vacuums, loads and motions with which [`Self::driven_on`]
-    /// returns `None`.
+    /// Stiffnesses within rounding are set to zero. `None` if `free` is empty, and in the cases in which, according to [`Self::driven_on`], the
+    /// potential cannot be computed.
     fn free_stiffness(
         &self,
         free: &[Vector],
@@ -102,8 +103,8 @@ impl Engine {
         Some(numbered(count, &of))
     }
 
-    /// Whether a unit motion moves no joint, and no contact that carries a force is displaced relative to its finger. Ropes and springs that swing do
-    /// not count.
+    /// Whether a unit motion leaves every joint in place, and every contact that carries a force at rest relative to its finger. Ropes and springs
+    /// may swing.
     fn turns_in_place(&self, forces: &[SVector<f64, 3>], motion: &Vector) -> bool {
         // A displacement of the contact within rounding of the displacements that a unit motion causes counts as none.
         let is_still = |i: usize| {

@@ -11,9 +11,9 @@ use crate::prelude::*;
 use super::verdict::FirstSlip;
 
 impl Engine {
-    /// The [`FirstSlip`] of a verdict, from the answer `onset` about the contacts that first stop sticking. It also lists contacts that begin to
-    /// slide at `events` whose load factors differ from that of the first slip by rounding alone, up to the first jump. At load factor 0 it lists
-    /// contacts that slide in `start`, the equilibrium at the start of the path. `None` if `onset` names no such contacts.
+    /// The [`FirstSlip`] of a verdict. `onset` gives its load factor and the contacts that stop sticking; `None` if no contact does. Contacts that
+    /// begin to slide in `events` at the same load factor, up to rounding, are added, but not those after the first jump. `start` is the equilibrium
+    /// at the start of the path if the first slip occurs there. Its sliding contacts are added, too.
     pub(crate) fn first_slip(
         &self,
         onset: &Onset<3>,
@@ -25,7 +25,8 @@ impl Engine {
             matches!(state.contacts[i].state, ContactState::Sliding { .. })
         };
         let factor = if let Onset::At(event) = onset { event.factor } else { 0.0 };
-        // At the start of a load the first slip may itself be a jump.
+        // Events after the first jump are not simultaneous with the first slip. At load factor 0 the first slip may itself be a jump, so jumps are
+        // kept there.
         let before_any_jump = events.iter().take_while(|event| factor == 0.0 || event.jump.is_none());
         let is_at_once = |event: &Event<3>| event.leg == 0 && (event.fraction - factor).abs() <= NEGLIGIBLE;
         let at_once = before_any_jump.filter(|event| is_at_once(event)).list();

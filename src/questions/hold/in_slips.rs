@@ -1,5 +1,6 @@
-//! The fast way to a brief verdict: the unknowns of the load path are the slips of the sliding contacts ([`InSlips`]). Contact states are not
-//! searched for at each event. The load factor is the multiple of the growing load that acts; 1 is the whole load.
+//! The fast way to a brief verdict (one without equilibria and proofs). The load path is computed with the slips of the sliding contacts as its only
+//! unknowns ([`InSlips`]). Unlike on the full load path, contact states are not searched for at each event. The load factor is the multiple of the
+//! growing load that acts; 1 is the whole load.
 
 use nalgebra::SVector;
 
@@ -13,9 +14,9 @@ use crate::prelude::*;
 use crate::search::Settings;
 
 impl Engine {
-    /// The brief verdict (without equilibria and proofs) from a path with the slips of contacts as unknowns. `None` if a contact opens or stops
-    /// sliding, if no contact slides, if the grasp buckles, or if the load factor of the first slip or of the end is within rounding of 1. The caller
-    /// then follows the full load path.
+    /// The brief verdict (without equilibria and proofs) from a path with the slips of contacts as unknowns. In these cases it returns `None`, and
+    /// the caller follows the full load path: a contact opens or stops sliding, no contact slides, or the grasp buckles. `None` also if rounding
+    /// could change the verdict, because the load factor of the first slip or of the end of the path is nearly 1.
     pub(super) fn held_in_slips(
         &self,
         ramp: &Ramp<3>,

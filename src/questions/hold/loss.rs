@@ -14,16 +14,16 @@ use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::prelude::*;
 
 impl Engine {
-    /// The event from which on the theory of small motions no longer applies, if it comes before a loss of equilibrium. Buckling is checked only if
-    /// it is [possible](Self::may_buckle) at rest or under the whole load.
+    /// The event at which the theory of small motions ceases to apply, if it comes before a loss of equilibrium: a motion becomes too large, or the
+    /// grasp buckles. Buckling is checked only if it is [possible](Self::may_buckle) at rest or under the whole load.
     pub(super) fn end_of_theory(&self, path: &LoadPath<'_, 3>, ramp: &Ramp<3>) -> Option<EndOfSmallMotions> {
         let far = end_before_loss(path);
         let may_buckle = |factor: f64| self.may_buckle(&ramp.load_at(factor));
         if may_buckle(0.0) || may_buckle(1.0) { path.end_of_theory_before(far) } else { far.cloned() }
     }
 
-    /// The [`Lost`] of a verdict, for a loss of equilibrium at this load factor. `state` is the last equilibrium, if it is known. The fields about
-    /// proofs and kinetic friction stay empty.
+    /// The [`Lost`] of a verdict, for a loss of equilibrium at this load factor. `state` is the last equilibrium, if it is known. The caller fills in
+    /// the fields about proofs and kinetic friction.
     pub(crate) fn lost(&self, factor: f64, loss: &Loss<3>, state: Option<Equilibrium<3>>) -> Lost<3> {
         let weightless = state.as_ref().map_or(0.0, |state| WEIGHTLESS * state.largest_force());
         let of = |i: usize| state.as_ref().map(|state| &state.contacts[i]);
@@ -59,8 +59,8 @@ impl Engine {
         }
     }
 
-    /// The [`Lost`] of a verdict, for an end of small motions at this load factor; `everything_slides` is the load factor at which gross slip has
-    /// begun, if it has.
+    /// The [`Lost`] of a verdict if motions cease to be small at the load factor `factor`. `everything_slides` is the load factor at which gross slip
+    /// began; `None` if it has not begun.
     pub(super) fn gone_too_far(
         &self,
         factor: f64,

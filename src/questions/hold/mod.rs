@@ -9,9 +9,9 @@
 //! | Could any contact forces carry the load? | [`Grasp::statics`](crate::ask::Grasp::statics) |
 //!
 //! The first question is the usual one. [`Grasp::hold`](crate::ask::Grasp::hold) follows one load path ([`Grasp::follow`](crate::ask::Grasp::follow))
-//! without a search for other equilibria. Its verdict is undecided only if the path is undecided. If equilibrium is lost before the whole load is
-//! applied, the [`Verdict`] names the motion of the object ([`WayOut`]). It also gives a neighbourhood of the loss without any equilibrium
-//! ([`NoEquilibriumNear`]): a proof that holds whatever contacts have slipped before.
+//! without a search for other equilibria. Its verdict is undecided only if this path cannot be continued, because of rounding or a limit on computing
+//! effort. If equilibrium is lost before the whole load is applied, the [`Verdict`] names the motion of the object ([`WayOut`]). It also gives a
+//! neighbourhood of the loss without any equilibrium ([`NoEquilibriumNear`]): a proof that holds whatever contacts have slipped before.
 //!
 //! The proof takes any virtual motion v with contact displacements `u_i = G_iᵀv`, where G_i is the grasp map of contact i. Let u_n,i be the normal
 //! component of u_i (along the normal n into the object), and u_t,i its tangential part. The balance of the load W and the contact forces F_i gives
@@ -23,9 +23,9 @@
 //! ```
 //!
 //! Here μ is the coefficient of friction, a_n the normal command (displacement that the finger would make without the object, m), k_n the normal
-//! stiffness (N/m) and `( )₊` the positive part. Thus `h` is an upper bound of the negative work of all contacts. Let v be the motion of the loss. As
-//! q grows from the motion at the loss, the terms of opposed contacts in h change in opposite senses, until one contact opens. The neighbourhood has
-//! the radius at which h could first reach `W·v`.
+//! stiffness (N/m) and `( )₊` the positive part. Thus `h` is an upper bound of the negative work of all contacts. Let v be the motion with which the
+//! object leaves at the loss. As q moves away from its value at the loss, the terms of opposed contacts in h change in opposite senses. So h changes
+//! little until one contact opens. The radius of the neighbourhood is the least change of q with which h could reach `W·v`.
 
 mod applied_load;
 mod caught_jump;

@@ -147,7 +147,7 @@ impl<const C: usize> Lost<C> {
         is_free && largest(joints, &|joint| joint.abs()) > NEGLIGIBLE
     }
 
-    /// The verb for this loss. `words` tells the plane from space, on which the vertical direction depends.
+    /// The verb for this loss. `words` says whether the grasp is in the plane or in space: the last axis, y or z, is vertical.
     pub(crate) fn verb(&self, words: Words) -> LossVerb {
         if let Some(far) = &self.too_far {
             let slips = far.is_motion() && self.is_gross_slip && self.factor > NEGLIGIBLE;

@@ -1,5 +1,5 @@
-//! The motion of a loss (the end of equilibrium under a growing load) in everyday words: the object lifts off, slides out, tips over or turns, or
-//! several bodies move apart.
+//! The motion with which the object leaves at a loss, the end of equilibrium under a growing load. It has an everyday name: the object lifts off,
+//! slides out, tips over or turns, or several bodies move apart.
 
 use nalgebra::SVector;
 
@@ -11,9 +11,9 @@ use crate::prelude::*;
 use crate::serial::AsComputed;
 use crate::words::Words;
 
-/// A contact that is slower than this fraction of the fastest contact, body or rotation is taken as fixed. A rotation that moves contacts by less
-/// than this fraction of the displacement of the object is taken as zero. The fraction only chooses the name of a motion. A larger one calls slow
-/// contacts fixed; a smaller one finds no contact to tip over.
+/// A contact or body that moves by less than this fraction of the fastest one is taken as fixed. A rotation that moves contacts by less than this
+/// fraction of the displacement of the object is taken as zero. The fraction only chooses the name of a motion. With a larger fraction slow contacts
+/// count as fixed. With a smaller one no contact counts as fixed, so that nothing tips over.
 const STANDS: f64 = 0.05;
 
 /// The kind of motion with which an object leaves at a loss, in everyday words.
@@ -100,16 +100,16 @@ impl BodyWay<3> {
     }
 }
 
-/// [`WayOut::SlidesOut`] along this displacement if the displacement `spin` of contacts due to the rotation is at most [`STANDS`] times as long; else
-/// `None`.
+/// [`WayOut::SlidesOut`] if the object hardly turns: the rotation moves contacts by at most [`STANDS`] times the displacement `along`. `spin` is the
+/// motion of contacts due to the rotation, m. Else `None`.
 fn slides_out(along: &SVector<f64, 3>, spin: f64) -> Option<WayOut<3>> {
     let direction = || along.try_normalize(0.0);
     (spin <= STANDS * along.norm())
         .then(|| direction().map_or(WayOut::NotKnown, |direction| WayOut::SlidesOut { direction }))
 }
 
-/// The everyday name of the motion with which the object leaves. `touches` is true for contacts that still touch: only these can lift off, and only
-/// about these can the object tip over.
+/// The everyday name of the motion with which the object leaves. `touches` is true for contacts that still touch. Only such contacts can lift off,
+/// and the object can tip over such contacts only.
 pub(super) fn way_out(
     engine: &Engine,
     motion: Option<&Motion<3>>,
@@ -163,8 +163,9 @@ fn difference(a: &Twist<3>, b: &Twist<3>) -> Twist<3> {
     Twist::from_components(&components)
 }
 
-/// The name of the motion of an object with this twist, from the contacts that touch it. `sign` is 1 for a contact whose normal points into the
-/// object, -1 for one whose normal points out of it. It is 0 for contacts between other bodies and within the object.
+/// The name of the motion of an object with this twist, from the motion of the contacts that touch it. `sign` is 1 for a contact whose normal points
+/// into the object, -1 if it points out of the object. It is 0 for a contact of other bodies, and for a contact between two bodies that move as one
+/// object.
 fn seen_from(
     engine: &Engine,
     twist: &Twist<3>,
@@ -222,13 +223,13 @@ fn seen_from(
     let mut opening = parts.with(&|i| sign(i) != 0.0);
     opening.retain(opens);
     let opens = opening;
-    // Only an opening contact that is no link makes a motion a tip over: a door whose cable goes slack turns about its hinge.
+    // The object tips over only if a contact opens that is no link. A door whose cable goes slack turns about its hinge instead.
     let tips = opens.iter().any(|part| part.link.is_none());
     if tips { WayOut::TipsOver { about, opens } } else { WayOut::TurnsAbout { about } }
 }
 
-/// [`WayOut::Turns`] for a twist, with the point of its axis nearest to the point `near`, which moves by `moves`. The contacts are up to `reach` away
-/// from `near`; coordinates within rounding of such lengths become zero. `NotKnown` if the axis is not finite.
+/// [`WayOut::Turns`] for a twist. Its centre is the point of the axis nearest to `near`; `moves` is the displacement of `near`, m. All contacts are
+/// within the distance `reach` of `near`, m. Coordinates that are only rounding of these lengths become zero. `NotKnown` if the axis is not finite.
 fn turns(twist: &Twist<3>, (near, moves): (&SVector<f64, 3>, &SVector<f64, 3>), reach: f64) -> WayOut<3> {
     let (_, rotation) = twist.parts();
     let rounding = SOLVED_ROUNDING * (reach + near.norm());

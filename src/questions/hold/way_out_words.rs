@@ -1,4 +1,4 @@
-//! The motion of a loss (the end of equilibrium under a growing load) as a clause of the verdict's sentence.
+//! The motion with which the object leaves at a loss (the end of equilibrium under a growing load), as a clause of the verdict's sentence.
 
 use alloc::borrow::Cow;
 use core::fmt;

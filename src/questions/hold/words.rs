@@ -61,7 +61,7 @@ impl<const C: usize> fmt::Display for Verdict<C> {
                         write!(f, ", but {first} from {} of it on", words.number(first.factor))?;
                     }
                     _ if contacts.is_empty() => {}
-                    // This sentence also names contacts that close and slide only after the first slip.
+                    // No first slip occurs up to the whole load, but contacts have closed and slid.
                     _ => write!(f, ", but {}", subject_and_verb(contacts, "slides", "slide"))?,
                 }
                 self.catches(f)?;
@@ -170,8 +170,8 @@ impl<const C: usize> Verdict<C> {
         write!(f, ": {lost:.digits$}")
     }
 
-    /// The sentence if motions cease to be small. It begins with gross slip if that comes before; the motion that is too large follows in either
-    /// case.
+    /// The sentence if motions cease to be small. It begins with gross slip if all contacts slide before; the motion that is too large follows in
+    /// either case.
     fn write_small_motion_limit(
         &self,
         lost: &Lost<C>,
@@ -203,7 +203,7 @@ impl<const C: usize> Verdict<C> {
         }
     }
 
-    /// Whether this load factor is beyond the first slip, and the load is held to a larger factor.
+    /// Whether the load is held to a larger factor than this one, and a first slip, if there is any, occurs at a smaller factor.
     fn continues_beyond(&self, factor: f64) -> bool {
         self.held_to > factor * (1.0 + NEGLIGIBLE)
             && self.first_slip.as_ref().is_none_or(|first| factor > first.factor * (1.0 + NEGLIGIBLE))
@@ -264,7 +264,7 @@ impl<const C: usize> Verdict<C> {
         self.load == Wrench::ZERO
     }
 
-    /// A multiple of the load, in newtons or newton metres first if it is a single force or moment: "8 N (1.6 times this load)".
+    /// A multiple of the load, such as "8 N (1.6 times this load)". The size in N or N m is written only if the load is a single force or moment.
     fn times(&self, factor: f64, of: &str, words: Words) -> String {
         let words = words.downwards();
         let times = format!("{} times{of}", words.number(factor));
@@ -300,7 +300,7 @@ pub(super) fn amount_of(size: Option<(f64, &str)>, factor: f64, words: Words) ->
 }
 
 impl FirstSlip {
-    /// The contacts, joints and tendons that stop sticking or give way, with a verb unless they slide: "left", "thumb opens".
+    /// The contacts, joints and tendons that stop sticking or give way: "left", "thumb opens". Contacts that slide are named without a verb.
     fn leaving_parts(&self) -> String {
         let mut names = mapped(&self.slide, &|part| part.text().into_owned());
         names.extend(mapped(&self.open, &|part| format!("{} {}", part.text(), opens(part.link))));

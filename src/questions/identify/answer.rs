@@ -73,8 +73,8 @@ pub struct Estimate {
     /// The estimate; if the slips do not determine the unknown, one of many values that fit the slips equally well.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub value: f64,
-    /// Whether the slips determine the unknown accurately enough for an error to be given, and with the same value in all
-    /// [`Identified::assignments`].
+    /// Whether the slips determine the unknown, with the same value in all [`Identified::assignments`]. False, too, if its error is known and so
+    /// large that no interval is given.
     pub is_fixed: bool,
     /// The standard error of the estimate, in the unit of `value`. `None` if the slips do not determine the unknown, or if the standard deviation of
     /// the observations is not known.

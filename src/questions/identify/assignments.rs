@@ -1,9 +1,9 @@
 //! Searches for further fits of the unknowns to the observed slips, in which other contacts slip first. An unknown is a number of the grasp, such as
 //! a coefficient of friction. The loss is the function of the residuals that a fit minimises; scatter is the standard deviation of slips.
 //!
-//! If several contacts may slip first, the derivatives of the predicted load with respect to the unknowns jump at a kink: on each side of it the load
-//! depends on the data of one contact alone. A search from one side usually ends at the kink. An assignment says on which unknowns each slip depends.
-//! To find other assignments, two unknowns exchange their values and the search starts anew.
+//! If several contacts may slip first, the predicted load has a kink as a function of the unknowns. On each side of it the load depends on the data
+//! of one contact alone. A search from one side usually ends at the kink. An assignment says on which unknowns each slip depends. To find other
+//! assignments, two unknowns exchange their values and the search starts anew.
 
 use core::f64::consts::LN_2;
 
@@ -20,8 +20,8 @@ use crate::prelude::*;
 
 /// Upper limit of the number of pairs of unknowns that exchange their values, starting from one fit. It is enough for all pairs of five unknowns.
 const MOST_PAIRS: usize = 10;
-/// After two unknowns have exchanged their values to find another assignment, this many values of the smaller one are tried. The first is the value
-/// as it is; it is then halved each time, down to a sixteenth.
+/// Number of values that are tried for the smaller of two unknowns after they have exchanged their values. The first is the exchanged value itself,
+/// each further one half of the value before, down to a sixteenth.
 const MOST_HALVINGS: u8 = 5;
 /// Upper limit of the number of bisections between two sets of values of the unknowns at which slips depend on different unknowns. The bisections
 /// seek a third assignment of slips to the unknowns on which they depend.
@@ -33,7 +33,7 @@ const MOST_FITS: usize = 12;
 const MOST_LOOKS: usize = 240;
 
 /// If two contacts slip at once, for example at equal friction, the predicted loads have a kink as functions of the unknowns, and no derivatives. To
-/// evaluate them next to this kink, the logarithm of one unknown is changed by this step.
+/// find the derivatives next to this kink, the logarithm of one unknown is changed by this step.
 const BESIDE_A_KINK: f64 = 1e-3;
 
 /// The search for other assignments. An assignment says on which unknowns each predicted slip depends, because it says which contact slips first.
@@ -74,8 +74,8 @@ impl Assignments<'_> {
     }
 
     /// Searches by bisection between the points `low` and `high` (logarithms of the unknowns) for a third assignment of slips to unknowns. If
-    /// bisection finds one, a search for a fit starts there. One unknown falls from one point to the other, so slips begin to depend on this unknown
-    /// one after the other.
+    /// bisection finds one, a search for a fit starts there. Between the two points one unknown decreases, so that one slip after another begins to
+    /// depend on it.
     fn between(&mut self, mut low: Vec<f64>, mut high: Vec<f64>, ends: [&Linear; 2]) -> Result<(), Error> {
         for _ in 0..MOST_BISECTIONS {
             let middle: Vec<f64> = low.iter().zip(&high).map(|(a, b)| 0.5 * (a + b)).list();
@@ -185,9 +185,9 @@ fn pairs_of(model: &Model<'_>) -> Vec<(usize, usize)> {
     pairs
 }
 
-/// At most [`MOST_PAIRS`] pairs of unknowns whose exchange may lead to another assignment. For such a pair some slip depends on one unknown of the
-/// pair alone, and no slip on both. Or the fit ended on a kink of the predicted loads, where both unknowns are equal. A slip that depends on both
-/// unknowns would distinguish them, unless the slips leave some unknown undetermined.
+/// At most [`MOST_PAIRS`] pairs of unknowns whose exchange may lead to another assignment. For such a pair some slip depends on one of the two
+/// unknowns alone. No slip may depend on both, because it would distinguish them, unless the slips leave some unknown undetermined. Pairs are listed,
+/// too, if the fit ended on a kink of the predicted loads where both unknowns are equal.
 fn pairs(model: &Model<'_>, fit: &Fitted) -> Result<Vec<(usize, usize)>, Error> {
     let mut pairs = Vec::new();
     let Some(linear) = fit.linear.as_ref().filter(|_| matches!(fit.end, FitEnd::Converged)) else {
@@ -243,7 +243,8 @@ fn changes_in_steps(one: &Linear, other: &Linear) -> bool {
     rows.iter().any(|row| is_of_another_kind(one, *row) || is_of_another_kind(other, *row))
 }
 
-/// Whether a fit has a smaller loss than another fit by more than the scatter of slips explains, at 95 %. `false` if the other fit is exact.
+/// Whether a fit has a smaller loss than another fit by more than the scatter of slips explains, at 95 %. `false` if the other fit predicts all slips
+/// exactly, since no fit is better than that.
 fn fits_better(model: &Model<'_>, one: &Fitted, other: &Fitted) -> bool {
     let unknowns = model.asked.unknowns.len();
     let degrees = one.linear.as_ref().map_or(1, |here| here.residuals.len().saturating_sub(unknowns).max(1));
@@ -251,8 +252,8 @@ fn fits_better(model: &Model<'_>, one: &Fitted, other: &Fitted) -> bool {
     gain(model, one, other) > 0.5 * two_sided(0.95, degrees).powi(2)
 }
 
-/// By how much the loss of the second fit exceeds the loss of the first. Both losses are of residuals divided by the standard deviations of the first
-/// fit. 0 if the second fit is exact.
+/// The loss of the second fit minus the loss of the first, for residuals divided by the standard deviations of the first fit. 0 if the second fit
+/// predicts all slips exactly. Infinite if the second fit does not predict all slips, and -∞ if the first does not.
 pub(super) fn gain(model: &Model<'_>, one: &Fitted, other: &Fitted) -> f64 {
     match (&one.linear, &other.linear) {
         (None, _) => f64::NEG_INFINITY,
@@ -283,8 +284,8 @@ fn united(mut answer: Identified, others: &[Identified]) -> Identified {
     answer
 }
 
-/// Whether two fits agree on an unknown. They do if slips determine it in both fits and the estimates differ by at most a tenth of the standard
-/// error, or if slips determine it in neither fit.
+/// Whether two fits agree on an unknown. They agree if the slips determine it in neither fit. If the slips determine it in both, the estimates may
+/// differ by a tenth of the standard error. Without a known standard error they may differ by rounding only.
 pub(super) fn is_alike(one: &Estimate, other: &Estimate) -> bool {
     let error = one.standard_error.unwrap_or(INDISTINCT * one.value);
     one.is_fixed == other.is_fixed && (!one.is_fixed || (one.value - other.value).abs() <= 0.1 * error)

@@ -17,8 +17,8 @@ fn wrong(what: String, field: &'static str, value: f64, allowed: &'static str) -
 }
 
 impl Identify<3> {
-    /// Returns an error for contacts that the grasps of the layouts do not have, for two unknowns that one contact cannot have at once, and for a base
-    /// load onto a contact whose carried force is sought, which contains that load.
+    /// Returns an error for contacts that the grasps of the layouts do not have, and for two unknowns that one contact cannot have at once. Also an
+    /// error for a base load that presses on a contact whose carried force is sought: the carried force contains that load.
     pub(super) fn check(&self, layouts: &[Grasp<3>]) -> Result<(), Error> {
         self.unknowns.iter().enumerate().try_for_each(|(k, unknown)| unknown.check(k, layouts))?;
         for (k, unknown) in self.unknowns.iter().enumerate() {

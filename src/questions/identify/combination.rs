@@ -25,7 +25,8 @@ pub struct FreeCombination {
 
 impl FreeCombination {
     /// Combinations with as few unknowns as possible. The columns of `free` span the directions, in the logarithms of the unknowns, along which no
-    /// predicted slip changes. `stays` returns whether all predicted slips stay the same if each unknown is multiplied by its own factor.
+    /// predicted slip changes. `stays` gets a factor for each unknown, and returns whether all predicted slips stay the same if the unknowns are
+    /// multiplied by these factors.
     pub(super) fn among(
         mut free: DMatrix<f64>,
         (names, values): (&[String], &[f64]),
@@ -57,8 +58,8 @@ impl FreeCombination {
                 (x.abs() > NO_COMPONENT * largest).then(|| (names[j].clone(), x / largest))
             };
             let (unknowns, powers): (Vec<_>, Vec<_>) = direction.iter().enumerate().filter_map(part).unzip();
-            // Unknowns are changed along the combination by up to 0.3 in their logarithms. Such a change is large enough to distinguish a constant
-            // product from a constant sum.
+            // Two trial changes along the combination, by up to 0.3 in logarithms or as a relative change. They are large enough to show whether the
+            // slips determine a product or a sum of the unknowns.
             let along = direction.iter().map(|x| 0.3 * x / largest);
             let [powered, added]: [Vec<f64>; 2] =
                 [along.clone().map(f64::exp).list(), along.map(|x| 1.0 + x).list()];

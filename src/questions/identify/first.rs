@@ -1,5 +1,5 @@
-//! Prediction of first slip (the load at which the first contact stops sticking) by the model of a grasp, and its exact derivatives with respect to
-//! the unknowns, such as coefficients of friction.
+//! Predicts first slip, the load at which the first contact stops sticking, with a model of the grasp. Its exact derivatives with respect to the
+//! unknowns, such as coefficients of friction, are computed, too.
 
 use crate::numerics::{IntoList, numbered};
 use core::f64::consts::TAU;
@@ -46,7 +46,7 @@ fn exact(target: &SlipToPredict<'_>, event: &OnsetEvent<3>) -> Option<Vec<f64>> 
     let axes = space.axes();
     let leavers = margins.leavers().len();
     let contacts = target.grasp.contacts();
-    // The data of a contact that depend on an unknown of this kind, each with its derivative with respect to the logarithm of the unknown.
+    // The data that change with an unknown of this kind at one contact, each with its derivative with respect to the logarithm of the unknown.
     let changes = |kind: UnknownKind, contact: usize, value: f64| -> Vec<(Parameter, f64)> {
         let data = &contacts[contact];
         let springs = data.stiffness.series();

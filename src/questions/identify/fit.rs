@@ -14,8 +14,8 @@ use crate::error::Error;
 use crate::numerics::{IntoList, Singular, counted, every_index, mapped, matrix_of, two_sided, vector_of};
 use crate::prelude::*;
 
-/// The unknowns with the least loss, as found by a search: `logs` are their logarithms. `linear` has the residuals of all slips with these unknowns,
-/// and their derivatives; `None` if the model does not predict all slips.
+/// The unknowns with the least loss, as found by a search: `logs` are their logarithms. `linear` has the residuals of all observations at these
+/// values, and their derivatives; `None` if the model does not predict all slips.
 pub(super) struct Fitted {
     pub(super) logs: Vec<f64>,
     pub(super) linear: Option<Linear>,
@@ -157,9 +157,10 @@ pub(super) fn fitted(model: &Model<'_>) -> Result<Fitted, Error> {
     Ok(fit)
 }
 
-/// A start for a second search, if the prediction of some slip at `fit` differs from its observation, but depends on no unknown that [`changing`]
-/// selects (frictions, or else squeezes). Example: the model predicts that a box tips, whereas with less friction it would slide before. The selected
-/// unknowns are halved if the slip was observed below its prediction, else doubled, until the prediction depends on them; at most twelve times.
+/// A start for a second search; `None` if `fit` needs none. It is needed if the predicted load of some slip differs from the observed one, but
+/// depends on no unknown that [`changing`] selects: on no friction, for example. Example: the model predicts that a box tips, whereas with less
+/// friction it would slide before. The selected unknowns are halved if the slip was observed below its prediction, else doubled, until the prediction
+/// depends on them; at most twelve times.
 fn off_the_plateau(model: &Model<'_>, fit: &Fitted) -> Result<Option<(Vec<f64>, Linear)>, Error> {
     let (changes, Some(here)) = (changing(model), &fit.linear) else { return Ok(None) };
     let is_flat = |linear: &Linear, k: usize| {
@@ -200,9 +201,9 @@ pub(super) fn fitted_from(model: &Model<'_>, begin: Vec<f64>, linear: Linear) ->
     loosened(model, fit)
 }
 
-/// Returns `fit`, unless one of its unknowns rests on a single slip that may be low by scatter alone. Such an unknown is doubled, so that its contact
-/// slips first in no observation, and the search is repeated. The new fit is returned unless `fit` is better at 95 %. As the lowest of all slips is
-/// always singled out, the level is corrected for their number (Bonferroni).
+/// Returns `fit`, or another fit that explains the slips as well. If a single slip determines an unknown, its observed load may be low by scatter
+/// alone. The search is therefore repeated with this unknown doubled, so that its contact slips first in no observation. The new fit is returned
+/// unless `fit` is better at 95 %. The test picks the lowest of all slips, so its level is corrected for their number (Bonferroni).
 fn loosened(model: &Model<'_>, mut fit: Fitted) -> Result<Fitted, Error> {
     let probability = 1.0 - 0.05 / model.asked.slips.len() as f64;
     for unknown in 0..fit.logs.len() {
@@ -225,8 +226,8 @@ fn loosened(model: &Model<'_>, mut fit: Fitted) -> Result<Fitted, Error> {
     Ok(fit)
 }
 
-/// A single search for the least loss from the logarithms `begin`, without the second search of [`fitted_from`]. If `is_estimated`, a common factor
-/// on the given standard deviations is estimated from the residuals.
+/// One search for the least loss, from the logarithms `begin`; [`fitted_from`] may run several. If `is_estimated`, a common factor on the given
+/// standard deviations is estimated from the residuals.
 fn fitted_with(
     model: &Model<'_>,
     begin: Vec<f64>,
@@ -273,7 +274,8 @@ fn fitted_with(
             damping *= 10.0;
         };
         let Some((stepped, better)) = better else {
-            // No step decreases the loss: the minimum is at a kink, or at the edge of the region where all slips are predicted.
+            // Not even the shortest step decreases the loss: the minimum is at a kink, or at the edge of the region where the model predicts all
+            // slips.
             fit.end = unseen.map_or(FitEnd::Converged, |(slip, why)| FitEnd::NoSlip(slip, why));
             break;
         };

@@ -1,5 +1,5 @@
-//! Prediction of gross slip (the loss of the object: it slides at all contacts, tips over or leaves otherwise), and of its derivatives with respect
-//! to the unknowns, such as coefficients of friction.
+//! Predicts gross slip, the load at which the object is lost: it slides at all contacts, tips over or leaves otherwise. The derivatives of this load
+//! with respect to the unknowns, such as coefficients of friction, are computed, too.
 //!
 //! The observer sees an object slip as soon as it leaves, even if a gap closes afterwards and the load path continues. The gross slip that the model
 //! predicts is therefore the first event at which the object leaves.

@@ -1,19 +1,20 @@
 //! Standard errors of estimates if slips of one group may share an error, by a sandwich estimator. A known sum is a sum of unknowns that is known
 //! from another measurement.
 //!
-//! A slip is an observation: the load, or the angle of a load, at which a contact began to slide. A prime denotes the transpose. The rows of U_g are
-//! the derivatives of the predictions of the slips of group g, divided by their standard deviations, in a basis of the logarithms of the unknowns
-//! with `Σ U_g'U_g = 1`. Let e_g be the residuals of these slips, divided in the same way, and `Q_g = U_g'U_g`. Group g contributes `w_g` to the
-//! solution. The power of `1 - Q_g` corrects for the influence of the group's own residuals on the solution:
+//! A slip is an observation: the load, or the angle of a load, at which a contact began to slide. A prime denotes the transpose. The matrix U_g has a
+//! row for each slip of group g: the derivatives of its predicted load with respect to the unknowns, divided by its standard deviation. The
+//! derivatives are taken along a basis of the logarithms of the unknowns, chosen such that `Σ U_g'U_g = 1`. Let e_g be the residuals of these slips,
+//! divided in the same way, and `Q_g = U_g'U_g`. Group g contributes `w_g` to the solution. The power of `1 - Q_g` corrects for the influence of the
+//! group's own residuals on the solution:
 //!
 //! ```text
 //! w_g = (1 - Q_g)^(-1/2) U_g'e_g
 //! ```
 //!
-//! This is the correction CR2 of Bell and McCaffrey, in the few unknowns instead of the many slips: `U'(1 - UU')^(-1/2) = (1 - U'U)^(-1/2) U'`. The
-//! variance of an unknown with the components c in this basis is `Σ (c'w_g)²`. Let `a_g = (1 - Q_g)^(-1/2) c`, and `δ_gh` be 1 if g = h, else 0. If
-//! the rows were independent, the numbers `c'w_g` would have the covariances `Ω_gh = δ_gh a_g'Q_g a_g - (Q_g a_g)'(Q_h a_h)`. The degrees of freedom
-//! are Satterthwaite's, `(tr Ω)² / tr Ω²`.
+//! This is the correction CR2 of Bell and McCaffrey, with matrices of the size of the few unknowns instead of the many slips:
+//! `U'(1 - UU')^(-1/2) = (1 - U'U)^(-1/2) U'`. The variance of an unknown with the components c in this basis is `Σ (c'w_g)²`. Let
+//! `a_g = (1 - Q_g)^(-1/2) c`, and `δ_gh` be 1 if g = h, else 0. If the rows were independent, the numbers `c'w_g` would have the covariances
+//! `Ω_gh = δ_gh a_g'Q_g a_g - (Q_g a_g)'(Q_h a_h)`. The degrees of freedom are Satterthwaite's, `(tr Ω)² / tr Ω²`.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -48,8 +49,9 @@ pub(super) struct GroupedError {
 }
 
 impl Grouped {
-    /// Computes the contribution of each group from the derivatives of slips and known sums (`rows`, in a basis of the unknowns in which all rows
-    /// together have orthonormal columns) and their residuals. Rows of slips come first, one for each entry of `groups`.
+    /// Computes the contribution of each group. `rows` holds the derivatives of slips and known sums, divided by standard deviations. They are taken
+    /// along a basis of the unknowns such that the columns of `rows` are orthonormal. Rows of slips come first, one for each entry of `groups`;
+    /// `residuals` are in the same order.
     pub(super) fn of(rows: &DMatrix<f64>, residuals: &[f64], groups: &[usize]) -> Self {
         let mut names = groups.to_vec();
         names.sort_unstable();
@@ -101,8 +103,8 @@ impl Grouped {
     }
 }
 
-/// The matrix (1 - Q)^(-1/2) for the information matrix Q of a group, with zero instead of infinity along directions that this group alone
-/// determines.
+/// The matrix (1 - Q)^(-1/2) for the information matrix Q of a group. Along directions that this group alone determines, Q is 1, and zero is taken
+/// instead of infinity.
 fn inverse_root_of_rest(tells: &DMatrix<f64>) -> DMatrix<f64> {
     let (values, vectors) = symmetric_eigen(tells);
     let root = |part: &f64| {
@@ -140,8 +142,8 @@ mod tests {
     }
 
     /// A straight line through three uneven groups. The result is compared with the definition by matrices of the size of all slips,
-    /// `V = B Σ X_g'A_g e_g e_g'A_g X_g B`. X_g are the rows of the design matrix for group g, e_g its residuals, B the covariance of the unknowns, H
-    /// the hat matrix and `A_g = (1 - H)_gg^(-1/2)`, with Satterthwaite's degrees of freedom from the whole of `(1 - H)`.
+    /// `V = B Σ X_g'A_g e_g e_g'A_g X_g B`. X_g are the rows of the design matrix for group g, e_g its residuals, and B the covariance of the
+    /// unknowns. H is the hat matrix, and `A_g = (1 - H)_gg^(-1/2)`. Satterthwaite's degrees of freedom are computed from the whole matrix `1 - H`.
     #[test]
     fn a_line_by_its_definition() {
         let groups = [0, 0, 0, 1, 1, 2, 2, 2, 2];

@@ -1,10 +1,10 @@
-//! The last motion of the object at gross slip (the loss of the object), and the derivatives of the load factor at gross slip with respect to the
-//! unknowns, such as coefficients of friction.
+//! The motion with which the object leaves at gross slip (the loss of the object). From it follow the derivatives of the load factor at gross slip
+//! with respect to the unknowns, such as coefficients of friction.
 //!
-//! Let W₀ be the constant load and W the growing load. At contact i let nᵢ be the wrench of a unit force along the normal, the columns of Tᵢ the
-//! wrenches of unit forces along the tangents, μᵢ the coefficient of friction, Nᵢ the normal force and kᵢ the normal stiffness. If the last motion m
-//! of the object opens no contact, normal forces stay constant while the object leaves, and friction opposes the sliding velocity vᵢ. The load factor
-//! λ at gross slip is then a root of
+//! Let W₀ be the constant load and W the growing load. At contact i, nᵢ is the wrench of a unit force along the normal; the columns of Tᵢ are the
+//! wrenches of unit forces along the tangents. The contact has the coefficient of friction μᵢ, the normal force Nᵢ and the normal stiffness kᵢ. If
+//! the last motion m of the object opens no contact, normal forces stay constant while the object leaves, and friction opposes the sliding velocity
+//! vᵢ. The load factor λ at gross slip is then a root of
 //!
 //! ```text
 //! W₀ + λ W + Σ (nᵢ − μᵢ Tᵢ vᵢ/|vᵢ|) Nᵢ + Σ Tⱼ fⱼ = 0,   vᵢ = Tᵢᵀ m,   nᵢᵀ m = 0,   Tⱼᵀ m = 0
@@ -69,8 +69,8 @@ impl<'a, 's> GrossSlip<'a, 's> {
         Self { target, length, at, motion, pressing }.at_root()
     }
 
-    /// Solves the equilibrium equations at the top of this file by Newton's method. `None` unless it converges to a root with the load factor of the
-    /// end of the load path and with all contacts pressing.
+    /// Solves the equilibrium equations at the top of this file by Newton's method. `None` unless it converges to a root in which all contacts press,
+    /// and whose load factor is that at the end of the load path.
     fn at_root(mut self) -> Option<Self> {
         let began_at = self.at;
         let (_, free) = spaces(&self.fixed_directions(), self.motion.len());
@@ -115,7 +115,7 @@ impl<'a, 's> GrossSlip<'a, 's> {
         self.pressing.iter_mut().filter(|contact| contact.sticks)
     }
 
-    /// The sum of all wrenches on the object, of the loads and of pressing contacts; zero in equilibrium.
+    /// The sum of the wrenches that loads and pressing contacts exert on the object; zero in equilibrium.
     fn residual(&self) -> DVector<f64> {
         let mut sum = self.one_length(&self.target.load_at(self.at));
         for contact in &self.pressing {
@@ -150,8 +150,8 @@ impl<'a, 's> GrossSlip<'a, 's> {
         self.at += step[step.len() - 1];
     }
 
-    /// Derivatives of the logarithm of the load factor (or angle) at gross slip with respect to the logarithms of the unknowns. `None` at a kink of
-    /// the load factor, where the linearised equations are inconsistent for a change of some unknown.
+    /// Derivatives of the logarithm of the load factor (or angle) at gross slip with respect to the logarithms of the unknowns. `None` if the load
+    /// factor has a kink here, as a function of the unknowns. The linearised equations then have no solution for a change of some unknown.
     pub(super) fn derivatives(&self) -> Option<Vec<f64>> {
         let equations = Equations::of(self)?;
         self.target.by_unknowns(&|kind, unknown, value| {
@@ -252,8 +252,8 @@ impl Equations {
         ((component - 1.0).abs() <= INDISTINCT).then_some(Self { springs, turns, matrix, scales, parts })
     }
 
-    /// The solution of the linearised equations for the right-hand side `change`. Among least-squares solutions it has the least norm in units of the
-    /// scaled columns.
+    /// The solution of the linearised equations for the right-hand side `change`. Among least-squares solutions it has the least norm, each unknown
+    /// measured in the unit in which its column of `matrix` has length one.
     fn solved(&self, change: &DVector<f64>) -> DVector<f64> {
         self.parts.solve(change, NEGLIGIBLE).component_mul(&self.scales)
     }

@@ -27,10 +27,10 @@
 //! falls, derivatives are difference quotients of predictions.
 //!
 //! **Start.** The search starts at the given values of the unknowns. At these values the model may not predict some slip: the object holds any load,
-//! or is lost at once. Then all unknown friction is halved or doubled, in at most twelve trials, until all slips are predicted. The same is tried
-//! where friction moves no prediction, such as that of a box that tips, although a slip was observed elsewhere. If nothing but the
-//! load of a slip presses on the contacts, the component of this load along the normals acts from the start, and only the rest grows. An example is
-//! an object that is dragged over a table: it lies on the table first.
+//! or is lost at once. Then all unknown friction is halved or doubled, in at most twelve trials, until all slips are predicted. The same is tried if
+//! a predicted load differs from the observed one, but does not depend on friction: the model predicts that a box tips, while in fact it slid. If
+//! nothing but the load of a slip presses on the contacts, the component of this load along the normals acts from the start, and only the rest grows.
+//! An example is an object that is dragged over a table: it lies on the table first.
 //!
 //! **Which contact slips first.** Between two jaws the weaker one slips first, so that a slip depends on the friction of one jaw alone. Which jaw
 //! this is may depend on the start of the search. Therefore pairs of unknowns of one kind exchange their values at the solution, and the search is
@@ -40,19 +40,19 @@
 //! # Errors
 //!
 //! The errors are those of the linearised problem at the solution. If the scatter of slips (their relative standard deviation) is not given, it is
-//! estimated from the residuals, and confidence intervals use Student's distribution. So they do if the residuals exceed a given scatter at 95 %:
-//! only the ratios of given standard deviations are then used, and their common factor is [`Identified::misfit`]. The singular values of all
-//! derivatives show directions, in the logarithms of the unknowns, along which no predicted slip changes. Such a direction is a
-//! [combination](FreeCombination) that the slips do not determine; its unknowns have no error.
+//! estimated from the residuals, and confidence intervals use Student's distribution. If the scatter is given, but the residuals exceed it at 95 %,
+//! only the ratios of the given standard deviations are used. Their common factor is then estimated, too ([`Identified::misfit`]), and Student's
+//! distribution is used as well. The singular values of all derivatives show directions, in the logarithms of the unknowns, along which no predicted
+//! slip changes. Such a direction is a [combination](FreeCombination) that the slips do not determine; its unknowns have no error.
 //!
 //! These errors assume independent slips. Slips in one direction, of one specimen or of one day may share errors. An example is a surface that is
 //! rougher one way, or a finger that slides along the object. Their mean is then less certain than their number suggests. For slips with
-//! [groups](Slip::in_group) the errors come from the sums of residuals over each group, whatever error the slips of a group share. Let the rows of X
-//! be derivatives of the predicted slips with respect to the unknowns, both in logarithms, divided by standard deviations, and X_g the rows of group
-//! g. Rows `x_k` are the derivatives of known sums (sums of unknowns that are known from other measurements). `ψ` is Huber's psi: residuals divided
-//! by standard deviations, clamped where Huber's loss becomes linear. The number c is the mean derivative of ψ with respect to these residuals, and H
-//! the derivative of fitted values with respect to observed ones. With a prime for the transpose, the covariance is the sandwich of Liang and Zeger
-//! (Biometrika 73, 1986)
+//! [groups](Slip::in_group) the standard errors are computed from sums of residuals over each group. They are then valid for any error that the slips
+//! of a group share. Let each row of X be the derivatives of a predicted load with respect to the unknowns, both in logarithms, divided by a standard
+//! deviation. X_g are the rows of group g. Rows `x_k` are the derivatives of known sums (sums of unknowns that are known from other measurements).
+//! `ψ` is Huber's psi: residuals divided by standard deviations, clamped where Huber's loss becomes linear. The number c is the mean derivative of ψ
+//! with respect to these residuals, and H the derivative of fitted values with respect to observed ones. With a prime for the transpose, the
+//! covariance is the sandwich of Liang and Zeger (Biometrika 73, 1986)
 //!
 //! ```text
 //! V = B⁻¹ (Σ_g X_g' A_g ψ_g ψ_g' A_g X_g + Σ_k x_k' x_k) B⁻¹,   B = c Σ_g X_g' X_g + Σ_k x_k' x_k,   A_g = (1 - H_gg)^(-1/2)

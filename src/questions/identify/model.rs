@@ -26,8 +26,8 @@ pub(super) struct Model<'a> {
     pub(super) asked: &'a Identify<3>,
 }
 
-/// The grasp of one layout of contact points with trial values of the unknowns. `base` is the constant load that balances the unknown forces that
-/// contacts carry before the load of a slip grows.
+/// The grasp of one layout (arrangement of the contact points) with trial values of the unknowns. `base` is the constant load that balances the
+/// carried forces among the unknowns.
 pub(super) struct LayoutGuess {
     pub(super) grasp: Grasp<3>,
     pub(super) base: Wrench<3>,
@@ -136,14 +136,14 @@ impl Model<'_> {
                 jacobian[(slips + k, *j)] = logs[*j].exp() / sum;
             }
         }
-        // Difference quotients that are rounding would make the slips seem to depend on the unknown.
+        // Small difference quotients may be mere rounding, and would make a slip seem to depend on an unknown. They are set to zero.
         jacobian.apply(|x| *x = if x.abs() > INDISTINCT { *x } else { 0.0 });
         Ok(Ok(Linear { residuals: self.log_residuals(logs, &all), jacobian, by_differences: unknown.len() }))
     }
 
-    /// Derivatives of the logarithms of the predicted loads of the slips with the indices `those` with respect to the logarithm of unknown number
-    /// `column`, as central differences. If the model predicts no slip on one side, the difference is one-sided; if it predicts no slip on either
-    /// side, the derivative is zero.
+    /// Derivatives, by central differences, of the logarithms of predicted loads with respect to the logarithm of unknown number `column`. `those`
+    /// are the indices of the slips. If the model predicts no slip for one of the two changed values, the difference is one-sided. If it predicts
+    /// none for both, the derivative is zero.
     fn differences(
         &self,
         logs: &[f64],
@@ -208,8 +208,7 @@ impl Model<'_> {
         Ok(Ok(all))
     }
 
-    /// Predictions of the slips with the indices `those`, in parallel; slips that were observed several times under the same conditions are predicted
-    /// once.
+    /// Predicts the slips with the indices `those`, on all cores. A slip that was observed several times under the same conditions is predicted once.
     fn slips(
         &self,
         those: &[usize],

@@ -1,4 +1,5 @@
-//! The wrenches of a contact on the object as the object leaves at gross slip (the loss of the object).
+//! The wrenches that contacts exert on the object as it leaves at gross slip (the loss of the object): of normal forces, of friction, and their
+//! derivatives.
 
 use nalgebra::{DMatrix, DVector, SVector};
 
@@ -45,8 +46,8 @@ impl Pressing {
         &self.tangents * self.velocity(motion).normalize() * -self.friction
     }
 
-    /// The derivative of a sliding contact's friction wrench if the motion of the object changes at the rate `by`: the magnitude of the friction
-    /// force stays the same, and its direction rotates with the sliding velocity.
+    /// The derivative of a sliding contact's friction wrench if the motion of the object changes at the rate `by`. The friction force keeps its
+    /// magnitude and rotates with the sliding velocity.
     pub(super) fn turning(&self, motion: &DVector<f64>, by: &DVector<f64>) -> DVector<f64> {
         let (v, change) = (self.velocity(motion), self.velocity(by));
         let aside = &change - &v * (v.dot(&change) / v.norm_squared());
@@ -54,7 +55,7 @@ impl Pressing {
     }
 }
 
-/// The contacts that press under the contact forces `forces`, and the contacts that cannot open. Moments are divided by `length`.
+/// The contacts with a pressing force in `forces`, and all contacts that cannot open. Moments in their wrenches are divided by `length`.
 pub(super) fn pressing(target: &SlipToPredict<'_>, forces: &[SVector<f64, 3>], length: f64) -> Vec<Pressing> {
     let (space, contacts) = (target.grasp.engine.space(), target.grasp.contacts());
     let largest = largest(forces, &|force| force[0].abs());

@@ -1,6 +1,6 @@
 //! The question of identification: the unknowns, the observed slips, other layouts, and known sums. An unknown is a number of the grasp, such as a
-//! coefficient of friction, a layout an arrangement of the contact points, a known sum a sum of unknowns that is known from another measurement. A
-//! carried force is the normal force of a contact before the load of a slip grows.
+//! coefficient of friction. A layout is an arrangement of the contact points. A known sum is a sum of unknowns that is known from another
+//! measurement. A carried force is the normal force of a contact before the load of a slip grows.
 
 use crate::numerics::{IntoList, mapped};
 use nalgebra::SVector;
@@ -171,8 +171,8 @@ impl Identify<3> {
         assigned(&model, fitted(&model)?)
     }
 
-    /// Returns this question in which the component of each slip's load that presses on the contacts [acts from the
-    /// start](Slip::with_weight_at_rest), if nothing else presses. A slip keeps its load if carried forces are sought in the layout of the slip.
+    /// Returns this question with the load of each slip [split in two](Slip::with_weight_at_rest) if nothing else presses on the contacts. The
+    /// component that presses on them then acts from the start. A slip keeps its load if carried forces are sought in its layout.
     fn with_weights_at_rest(&self, layouts: &[Grasp<3>]) -> Self {
         let mut asked = self.clone();
         let is_carried =
@@ -185,14 +185,14 @@ impl Identify<3> {
         asked
     }
 
-    /// The number of standard deviations beyond which slips get less weight. For the default of two, one in twenty normally distributed residuals is
-    /// beyond, and the standard errors are 1 % larger than those of least squares.
+    /// The number of standard deviations beyond which slips get less weight. With the default of two, one in twenty normally distributed residuals
+    /// gets less weight, and standard errors are 1 % larger than with least squares.
     pub(super) fn outliers(&self) -> f64 {
         self.outliers.unwrap_or(2.0)
     }
 
-    /// The upper limit of the number of steps of the search. The default of 100 is enough; a longer search would creep along combinations of unknowns
-    /// that the slips hardly determine.
+    /// The upper limit of the number of steps of the search. The default of 100 is enough: a search that takes longer only changes combinations of
+    /// unknowns that the slips hardly determine.
     pub(super) fn iterations(&self) -> usize {
         self.iterations.unwrap_or(100)
     }
@@ -219,8 +219,8 @@ impl Identify<3> {
         Ok(asked)
     }
 
-    /// The load before any load grows, with which a scene checks whether anything presses on the contacts. It is the initial load of the first slip
-    /// if carried forces are sought, or if every slip has an initial load; else zero.
+    /// A load that acts before any load grows. The reader of a scene file needs it to check whether anything presses on the contacts. It is the
+    /// initial load of the first slip if carried forces are sought, or if every slip has an initial load; else zero.
     #[cfg(feature = "serde")]
     pub(crate) fn at_rest(&self) -> Wrench<3> {
         let mut all = self.slips.iter().map(Slip::at_rest);

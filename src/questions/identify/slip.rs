@@ -100,8 +100,8 @@ impl<const C: usize> Slip<C> {
         /// This slip under a load that grew in addition to a base load, such as a weight, which acted before and stayed constant.
         pub fn on_top_of(mut self, base: Wrench<C>) { self.base = Some(base); }
 
-        /// This slip with a factor on the squeeze of the grasp. If the squeeze was loosened until the object slipped, `factor` is its value at the slip,
-        /// and the scatter of the slip is the scatter of this factor.
+        /// This slip with a factor on the squeeze of the grasp. If the squeeze was loosened until the object slipped, `factor` is the part of the
+        /// squeeze that was left at the slip. The scatter of the slip is then the scatter of this factor.
         pub fn squeezed(mut self, factor: f64) { self.squeeze = Some(factor); }
 
         /// This slip in another layout (arrangement of the contact points): 0 is the grasp of the question. Then come the layouts of
@@ -119,8 +119,7 @@ impl<const C: usize> Slip<C> {
 }
 
 impl Slip<3> {
-    /// Whether both slips are of one kind, under the same loads, squeeze and layout, so that their predictions are equal; scatter and group may
-    /// differ.
+    /// Whether both slips are of one kind, under the same loads, squeeze and layout. Their predictions are then equal; scatter and group may differ.
     pub(super) fn is_like(&self, other: &Self) -> bool {
         (self.load, self.kind, self.layout, self.squeeze)
             == (other.load, other.kind, other.layout, other.squeeze)
@@ -129,8 +128,8 @@ impl Slip<3> {
     }
 
     /// Returns this slip with its load split in two, if nothing but this load presses on the contacts. The component against the mean of the contact
-    /// normals, as a rule a weight, becomes the base load; only the rest grows. If both parts grew together, the object would slide at once, or
-    /// never.
+    /// normals, as a rule a weight, becomes the base load; only the rest grows. If both parts grew together, friction and normal forces would grow in
+    /// the same proportion, so that the object would slide at once, or never.
     pub(super) fn with_weight_at_rest(mut self, grasp: &Grasp<3>) -> Self {
         let SlipLoad::Load(load) = self.growing_load() else { return self };
         let is_plain = |contact: &Contact<3>| contact.hold == Hold::Unilateral;
@@ -152,8 +151,8 @@ impl Slip<3> {
         {
             return self;
         }
-        // The moment about the centroid of the contacts is split in the same ratio as the force. In the plane both forces then act through one point
-        // of the whole load's line.
+        // The moment about the centroid of the contacts is split in the same ratio as the force. In the plane the lines of both forces then meet on
+        // the line of the whole load.
         let weight = along * -pressed;
         let about = load - Wrench::force_through(&centre, &force);
         let share = weight.dot(&force) / force.norm_squared();
@@ -199,7 +198,8 @@ impl Slip<3> {
         }
     }
 
-    /// An error for values of this slip that no observation can have; `number` is the slip's number, `layouts` the number of layouts.
+    /// An error if a value of this slip is out of range, or if it has not exactly one of load and turn. `number` is the index of the slip, for the
+    /// message, `layouts` the number of layouts.
     pub(super) fn check(&self, number: usize, space: Space, layouts: usize) -> Result<(), Error> {
         let wrong = |field, value, allowed| {
             Err(Error::Identify { what: format!("slip {number}"), field, value, allowed })

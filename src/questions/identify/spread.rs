@@ -80,12 +80,12 @@ pub(super) fn identified(model: &Model<'_>, fit: &Fitted) -> Identified {
 
 /// The data at the solution from which the standard errors of the logarithms of the unknowns are computed.
 struct Spread {
-    /// Singular values of the weighted derivatives, the largest first.
+    /// Singular values of the matrix of derivatives of all predictions, each row weighted by the inverse of its standard deviation; the largest
+    /// first.
     values: Vec<f64>,
-    /// Right singular vectors of the weighted derivatives, as columns.
+    /// Right singular vectors of the same matrix, as columns: directions in the logarithms of the unknowns.
     directions: DMatrix<f64>,
-    /// Number of independent linear combinations of the unknowns that the measurements determine: the observed slips, and sums of unknowns that are
-    /// known otherwise.
+    /// Number of independent linear combinations of the unknowns that the observed slips and the known sums determine.
     rank: usize,
     scatter: Scatter,
     /// For slips with groups, the contributions of groups to the errors; otherwise `None`.
@@ -108,8 +108,8 @@ impl Spread {
         let slope = Huber::slope(slips, inside, unknowns);
         let groups = groups(model);
         // Huber's loss clamps large residuals, so that the slips determine the unknowns less accurately. The factor `counts` on the weight of each
-        // slip accounts for this. With groups the covariance is computed from the clamped residuals. Without groups it uses the mean square of
-        // clamped normal residuals.
+        // slip accounts for this. With groups the scatter of the clamped residuals enters later, in `Grouped`. Without groups `counts` contains their
+        // expected mean square, that of clamped normal residuals.
         let counts = if groups.is_some() { slope.sqrt() } else { slope / huber.mean_square().sqrt() };
         let weights = numbered(rows, &|k| (if k < slips { counts } else { 1.0 }) / scatter.rows[k]);
         let (values, directions, _) = singular(&linear.jacobian, &linear.residuals, &weights);
@@ -126,8 +126,8 @@ impl Spread {
         spread
     }
 
-    /// A basis of the directions, in the logarithms of the unknowns, that the slips determine, as columns. Each column is as long as the standard
-    /// error along it if slips are independent.
+    /// The directions, in the logarithms of the unknowns, that the slips determine: a basis, as columns. The length of a column is the standard error
+    /// along its direction if slips are independent.
     fn scaled_directions(&self) -> DMatrix<f64> {
         let mut directions = self.directions.columns(0, self.rank).into_owned();
         for (mut column, value) in directions.column_iter_mut().zip(&self.values) {

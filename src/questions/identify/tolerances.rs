@@ -17,13 +17,13 @@ pub(super) const NO_COMPONENT: f64 = 1e-4;
 
 /// The search for the unknowns has converged once a step changes the logarithm of each unknown by at most this number.
 ///
-/// If smaller, the search does not end if predictions are accurate to 1e-9 only, because directions of slip turn along the load path. If larger,
-/// digits of the unknowns are lost.
+/// If smaller, some searches do not end: on the round cone directions of slip turn along the load path, and predictions are accurate to 1e-9 only. If
+/// larger, digits of the unknowns are lost.
 pub(super) const CONVERGED_STEP: f64 = 1e-10;
 
 /// The search has converged once a step is predicted to decrease the loss by at most this fraction. With n slips such a step is √n 1e-4 standard
 /// errors long.
 ///
-/// If smaller, the last steps follow the errors of predictions, which are 1e-9 if directions of slip turn along the load path. If larger, the search
-/// ends early.
+/// If smaller, the last steps only follow errors of the predictions (1e-9 on the round cone, where directions of slip turn along the load path). If
+/// larger, the search ends before the minimum.
 pub(super) const CONVERGED_GAIN: f64 = 1e-8;

@@ -79,14 +79,14 @@ impl Unknown {
         Self::of(UnknownKind::Carried)
     }
 
-    /// A factor on the given squeeze, as the unknown. It multiplies commands, forces and vacuums of its contacts and links. For all contacts it also
-    /// multiplies commands, constant torques and tensions of joints and tendons.
+    /// A factor on the given squeeze. The factor multiplies commands, forces and vacuums of the unknown's contacts and links. If the unknown belongs
+    /// to all contacts, the factor also multiplies commands, constant torques and tensions of joints and tendons.
     pub fn squeeze() -> Self {
         Self::of(UnknownKind::Squeeze)
     }
 
-    /// The factor on the given tangential stiffness. As a rule, gross slip under a load does not depend on tangential stiffness, and first slip only
-    /// on ratios.
+    /// The factor on the given tangential stiffness. First slip depends on ratios of tangential stiffnesses only. Gross slip as a rule does not
+    /// depend on them, because all friction is then exhausted.
     pub fn stiffness() -> Self {
         Self::of(UnknownKind::Stiffness)
     }
@@ -107,8 +107,9 @@ impl Unknown {
         pub fn starting_at(mut self, value: f64) { self.start = Some(value); }
     }
 
-    /// This unknown with contact points in place of contacts: the indices of the points of each soft fingertip. An error for contacts that the grasp
-    /// does not have. An unknown of all contacts leaves out links, and friction leaves out contacts without friction if others have it.
+    /// This unknown with the indices of contact points in place of contacts: all points of each soft fingertip. An error for contacts that the grasp
+    /// does not have. If the unknown belongs to all contacts, links (such as cables) are left out, except for a squeeze. Unknown friction then
+    /// belongs to the contacts with friction, if there are any.
     pub(super) fn of_points(&self, number: usize, layouts: &[Grasp<3>]) -> Result<Self, Error> {
         let mut points = self.clone();
         if let Some(contacts) = &self.contacts {
@@ -165,8 +166,8 @@ impl Unknown {
         format!("{kind}{whose}{at}")
     }
 
-    /// The value of the unknown at the start of the search: the given start, else the first positive value of its contacts in the grasp, else 0.5 for
-    /// friction and 1 for all others.
+    /// The value of the unknown at the start of the search. It is the given start, or else the first positive value that its contacts have in the
+    /// grasp. If there is none, it is 0.5 for friction and 1 for all others; factors start at 1.
     pub(super) fn begins_at(&self, layouts: &[Grasp<3>]) -> f64 {
         if let Some(start) = self.start {
             return start;

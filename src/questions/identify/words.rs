@@ -155,7 +155,8 @@ impl Estimate {
 /// A number rounded to the second digit of its error, but to no more digits than `words` allows.
 fn to_error(x: f64, error: f64, words: Words) -> String {
     let decimals = 1.0 - error.log10().floor();
-    // If the error is smaller than the last digit that `words` allows, no further digits are written.
+    // The error may ask for more digits than `words` allows, for more than twelve decimals, or for rounding to tens. Then the number gets the digits
+    // that `words` allows.
     let most = words.digits() as f64 - 1.0 - x.abs().log10().floor();
     if !(0.0..=12.0).contains(&decimals) || decimals > most {
         return words.number(x);

@@ -1,6 +1,6 @@
 //! The answer of the search for better finger places. A place is the position of a contact on its curve or surface, a squeeze the normal force of its
-//! command; a design point is one choice of both. The goal is the value that the search maximises; the base load acts before the loads of the
-//! question grow.
+//! command. A design point is one choice of all places and squeezes. The goal is the value that the search maximises; the base load acts before the
+//! loads of the question grow.
 
 use nalgebra::SVector;
 

@@ -1,6 +1,7 @@
 //! Ascent from one starting grasp to a local optimum of places and squeezes. A place is the position of a contact on its curve or surface, a squeeze
-//! the normal force of its command; a design point is one choice of both. The goal is the value that the search maximises; the base load acts before
-//! the loads of the question grow. Multipliers are those of the conditions and limits that are active at an optimum.
+//! the normal force of its command. A design point is one choice of all places and squeezes. An idle contact is open or touches without force at
+//! rest, and stays so until a load pushes it. The goal is the value that the search maximises; the base load acts before the loads of the question
+//! grow. Multipliers are those of the conditions and limits that are active at an optimum.
 
 use nalgebra::DVector;
 
@@ -26,13 +27,13 @@ use crate::prelude::*;
 #[derive(Debug)]
 pub(super) struct EvaluatedDesign {
     pub(super) design_point: DesignPoint,
-    /// The contact forces in one or several parts. In the first part all idle contacts (touching without force) are open. Each further part is for
-    /// loads that close some of them.
+    /// The contact forces, computed once or several times. In the first part all idle contacts (touching without force) are open. A load that closes
+    /// some idle contacts needs a further part, in which these are closed.
     pub(super) parts: Vec<StickingForces>,
     /// Value of the goal: the least load factor of first slip, or the least reserve (margin of a contact force to the edge of its friction cone), N.
     pub(super) value: f64,
-    /// The scale by which gains of the value are divided: the load factor of first slip itself, or for a reserve the greatest contact force under the
-    /// base load, N.
+    /// The scale by which gains of the value are divided. If the goal is first slip, it is the value itself; for a reserve it is the greatest contact
+    /// force under the base load, N.
     pub(super) scale: f64,
 }
 
@@ -224,8 +225,8 @@ impl AscentProblem<'_> {
         Ok(numbered(idle.len(), &is_left_open))
     }
 
-    /// The load factor zero for a given grasp that does not slide under the base load, but has a contact that touches without force and so slides
-    /// under the least load. `None` for any other grasp.
+    /// Load factor zero if the given grasp holds the base load without sliding, but a contact touches without force: it slides under the least load.
+    /// `None` if a contact slides or has a gap under the base load, or if no contact touches without force.
     fn slips_at_once(&self) -> Result<Option<f64>, Error> {
         let outcome = self.grasp.solve(self.loaded.base)?;
         let Some(equilibrium) = outcome.equilibrium() else { return Ok(None) };
@@ -279,15 +280,14 @@ impl AscentProblem<'_> {
                 let arrived =
                     step.residual <= ARRIVED_AT_TOP || step.gain <= ROUNDED_GAIN || radius < least_radius;
                 if arrived || steps >= self.design_space.question.steps() {
-                    // The curvature (the Hessian of the Lagrangian, estimated from earlier steps) may be wrong at this design point, so that no step
-                    // gains although a direction of ascent exists. Before the ascent ends without an optimum, the curvature is reset and steps are
-                    // tried again.
+                    // The curvature (a Hessian estimated from earlier steps) may be wrong at this design point. Then no step gains, although a
+                    // direction of ascent exists. Before the ascent ends without an optimum, the curvature is reset and steps are tried again.
                     if arrived && step.residual > OPTIMAL && curvature.0.amax() > 0.0 {
                         (curvature, radius) = (Curvature::flat(n), first_radius.min(radius * 1e3));
                         continue;
                     }
-                    // With several parts, a load closes an idle contact. Its friction force is computed as if it had stuck since rest, although it
-                    // slips freely until it closes. So the multipliers prove no optimum.
+                    // With several parts, a load closes an idle contact. The friction force of this contact is computed as if it had stuck from the
+                    // start, although it moves freely until it closes. So the multipliers prove no optimum.
                     if arrived && design.parts.len() > 1 {
                         return ended(design, SearchEnd::Stalled, steps, None);
                     }
@@ -319,8 +319,8 @@ impl AscentProblem<'_> {
         }
     }
 
-    /// Returns the quadratic program of a step. The last of its constraints are due to edges of surfaces, segments or triangles; the contacts on
-    /// these edges are returned, too.
+    /// Returns the quadratic program of a step. Its last constraints keep contacts on their surface, segment or triangle. The second list has the
+    /// index of the contact for each of these constraints.
     fn program(
         &self,
         design: &EvaluatedDesign,

@@ -1,7 +1,8 @@
 //! Contact forces while every contact sticks, and their exact derivatives with respect to places and squeezes. Forces are kept apart by their source,
 //! the cause of the force: the base load with fixed commands, the variable squeeze, or a load. A place is the position of a contact on its curve or
-//! surface, a squeeze the normal force of its command; a design point is one choice of both. A command is the displacement that a finger would make
-//! without the object; the base load acts before the loads of the question grow.
+//! surface, a squeeze the normal force of its command. A design point is one choice of all places and squeezes. A command is the displacement that a
+//! finger would make without the object; the base load acts before the loads of the question grow. A contact is left open if it touches without force
+//! and no load of the computation closes it.
 
 use nalgebra::SVector;
 
@@ -16,7 +17,7 @@ use crate::object::ForcesAndTwist;
 use crate::prelude::*;
 
 /// For each source (base load with fixed commands, squeeze, each load), the forces of all contacts in their frames, N, or derivatives of these
-/// forces. For a contact that touches without force and is left open, the first component is the closing force of [`StickingForces::by`].
+/// forces. A contact that is left open carries no force; its first component is then the closing force, see [`StickingForces::by`].
 pub(super) type BySource = Vec<Vec<SVector<f64, 3>>>;
 
 /// Index in [`BySource`] of the forces that do not vary with the squeeze or the loads: they are due to the base load and to fixed commands.
@@ -33,10 +34,12 @@ pub(super) struct StickingForces {
     pub(super) grasp: Grasp<3>,
     /// For each contact whether it is left open: it touches without force and counts as open.
     pub(super) open: Vec<bool>,
-    /// Indices of the loads whose first slips are computed from these forces.
+    /// Indices of the loads whose sticking conditions are evaluated with these forces. Other loads close some of the open contacts, and have forces
+    /// of their own.
     pub(super) judged: Vec<usize>,
     sources: Vec<ForcesAndTwist>,
-    /// For each source and contact the closing force of [`Self::by`]; zero unless the contact is left open.
+    /// For each source and contact the closing force, N, by which the source would press an open contact (see [`Self::by`]). Zero unless the contact
+    /// is left open.
     closing: Vec<Vec<f64>>,
 }
 
@@ -99,7 +102,8 @@ impl StickingForces {
 
     /// The force on a contact due to one source alone (base load with fixed commands, squeeze, or one load), in the contact frame, N.
     ///
-    /// For a contact that is left open it is the closing force: its normal stretch times its stiffness. The sum over sources is negative with a gap.
+    /// For a contact that is left open it is the closing force, by which the source alone would press the contact. It is the normal stretch that the
+    /// contact's spring would have if the contact were closed, times its stiffness. The sum over all sources is negative if the contact has a gap.
     pub(super) fn by(&self, source: usize, contact: usize) -> SVector<f64, 3> {
         if self.open[contact] {
             return unit::<3>(0) * self.closing[source][contact];
@@ -121,7 +125,7 @@ impl StickingForces {
         self.open.get(contact) == Some(&true)
     }
 
-    /// The closing force under the base load of a contact that is left open, N; negative with a gap.
+    /// The force by which the base load and the commands would press a contact that is left open (see [`Self::by`]), N; negative if it has a gap.
     pub(super) fn closing_at_rest(&self, contact: usize) -> f64 {
         self.closing[REST][contact] + self.closing[SQUEEZE][contact]
     }
@@ -131,8 +135,8 @@ impl StickingForces {
         self.sources.len() - LOADS
     }
 
-    /// The derivatives of all contact forces with respect to each variable (place or squeeze), measured in its unit, in the order of the variables.
-    /// `None` if a contact at another place would leave a load without any resistance.
+    /// For each variable (place or squeeze), in order, the changes of all contact forces per unit of this variable. `None` if a contact at another
+    /// place would leave a load without any resistance.
     pub(super) fn derivatives(
         &self,
         design_space: &DesignSpace<'_>,
@@ -153,7 +157,7 @@ impl StickingForces {
         variable: &DesignVariable,
     ) -> Option<BySource> {
         let &DesignVariable { contact, what, unit } = variable;
-        // The data of the contact that depend on this variable, each with its change if the variable changes by its unit.
+        // The data of the contact that depend on this variable, each with its rate of change per unit of the variable.
         let mut data = Vec::new();
         match what {
             DesignKind::Press { .. } => {

@@ -1,7 +1,9 @@
-//! The Hessian of minus the Lagrangian of the search: the event values and constraints, weighted by their multipliers, as a function of places and
-//! squeezes of contacts. An event is a sticking condition under a load, its value the load factor that breaks it, or its margin. The Hessian is
-//! learnt from the steps of an ascent by the method of Broyden, Fletcher, Goldfarb and Shanno. Powell's damping keeps this matrix positive
-//! semidefinite (Nocedal and Wright, Numerical Optimization, 2006, section 18.3).
+//! The curvature of the search for finger places: the Hessian of minus the Lagrangian. The Lagrangian is the sum of event values and constraints,
+//! weighted by their multipliers, as a function of the places and squeezes of contacts. An event is a sticking condition under a load. Its value is
+//! the load factor that breaks it, or its margin.
+//!
+//! The Hessian is learnt from the steps of an ascent by the method of Broyden, Fletcher, Goldfarb and Shanno. Powell's damping keeps this matrix
+//! positive semidefinite (Nocedal and Wright, Numerical Optimization, 2006, section 18.3).
 
 use nalgebra::{DMatrix, DVector};
 
@@ -13,8 +15,8 @@ impl Curvature {
         Self(DMatrix::zeros(size, size))
     }
 
-    /// Updates B after a step over which the gradient of the Lagrangian (sticking conditions and bounds, weighted by their multipliers) decreased by
-    /// `decrease`.
+    /// Updates B after a step. `decrease` is the gradient of the Lagrangian before the step minus that after the step, both with the same
+    /// multipliers.
     pub(super) fn learn(&mut self, step: &DVector<f64>, decrease: &DVector<f64>) {
         let length = step.norm_squared();
         if length == 0.0 {

@@ -1,6 +1,6 @@
 //! The variables of the search, their values, and the grasp with these values. The variables are places (positions of contacts on their curves or
-//! surfaces) and squeezes (normal forces of commands); a [`DesignPoint`] is one choice of both. A command is the displacement that a finger would
-//! make without the object; at rest means before the loads of the question grow.
+//! surfaces) and squeezes (normal forces of commands); a [`DesignPoint`] is one choice of all of them. A command is the displacement that a finger
+//! would make without the object; at rest means before the loads of the question grow.
 
 use nalgebra::SVector;
 
@@ -171,8 +171,8 @@ impl<'q> DesignSpace<'q> {
         design_point
     }
 
-    /// The first tangent of the contact frame at the place `location`. The frame with the first tangent `from` is tilted with the normal, without a
-    /// rotation about the normal. The result is `from` if there is no place.
+    /// The first tangent of the contact frame at the place `location`. It is the tangent `from`, projected on the tangent plane of the new place, so
+    /// that the frame does not turn about the normal. `from` itself for a contact without a surface.
     fn tangent(
         &self,
         contact: usize,

@@ -1,7 +1,8 @@
-//! For each contact and load, the value of each sticking condition (for the goal of first slip the load factor that breaks it), and its derivatives
-//! with respect to places and squeezes. A place is the position of a contact on its curve or surface, a squeeze the normal force of its command; a
-//! design point is one choice of both. The goal is the value that the search maximises. The base load acts before the loads of the question grow; at
-//! rest means under it.
+//! The value of each sticking condition of each contact under each load, and its derivatives with respect to places and squeezes. For the goal of
+//! first slip the value is the load factor that breaks the condition, for a reserve it is the margin. A place is the position of a contact on its
+//! curve or surface, a squeeze the normal force of its command. A design point is one choice of all places and squeezes. The goal is the value that
+//! the search maximises. The base load acts before the loads of the question grow; at rest means under it. An idle contact is open or touches without
+//! force at rest, and stays so until a load pushes it.
 
 use core::f64::consts::TAU;
 
@@ -105,14 +106,15 @@ impl PressedContact<'_> {
         all
     }
 
-    /// The constraint on an idle contact under the base load: it is not pressed. `closing` is its closing force, N.
+    /// The constraint on an idle contact under the base load: it is not pressed. `closing` is the force, N, with which the base load and the commands
+    /// would press it; negative if it has a gap.
     fn keeps_off(&self, closing: f64) -> Constraint {
         let gradient = self.by_variable(&|d| -self.change(d)[0]);
         Constraint { contact: self.number, kind: ConstraintKind::Idle, left: -closing, gradient }
     }
 
-    /// A [`SlipEvent`] for each sticking condition in `rows`; for first slip, only for conditions that the load can break. `added` returns the change
-    /// of a condition's margin due to the load, and `added_changes` the derivative of this change with respect to a variable.
+    /// A [`SlipEvent`] for each sticking condition in `rows`. If the goal is first slip, conditions that the load cannot break are left out. `added`
+    /// returns the change of a condition's margin due to the load, and `added_changes` the derivative of this change with respect to a variable.
     fn events(
         &self,
         load: Option<usize>,
@@ -153,8 +155,8 @@ impl PressedContact<'_> {
             vector_of(influence.len(), &|k| row.dot(&by(k)))
         };
         let known = |k: usize| influence[k];
-        // The margin is linear in the force of any direction. The force in the worst direction reduces the margin by the norm of the margin's
-        // gradient with respect to this force.
+        // The force changes the margin by g·e if e is its unit direction; g are the changes of the margin if the force acts along the axes. In the
+        // worst direction, against g, the margin decreases by |g|.
         let added = |row: &SVector<f64, 3>| -gradient(row, &known).norm();
         let value = |row: &SVector<f64, 3>| self.goal.counts(row.dot(&self.force), added(row));
         let rows = self.edges.least(&|row| value(row).unwrap_or(f64::INFINITY));
@@ -168,8 +170,8 @@ impl PressedContact<'_> {
 }
 
 /// All [`SlipEvent`]s (sticking conditions under loads) and all constraints under the base load of a design point. `most` has the greatest allowed
-/// normal force of each contact whose squeeze may change. `parts` are the sticking forces of an
-/// [`EvaluatedDesign`](super::ascent::EvaluatedDesign); `derivatives` has the derivatives of each part with respect to the design variables.
+/// normal force of each contact whose squeeze may change. `parts` are the contact forces of an [`EvaluatedDesign`](super::ascent::EvaluatedDesign),
+/// which differ in the idle contacts that are closed. `derivatives` has the derivatives of each part with respect to the design variables.
 pub(super) fn events(
     loaded: &LoadSet,
     most: &[Option<f64>],

@@ -1,9 +1,10 @@
-//! The goal: the value that is maximised over places and squeezes.
+//! The goal: the value that is maximised over the places and squeezes of contacts. A place is the position of a contact on its curve or surface, a
+//! squeeze the normal force of its command.
 //!
-//! Let F⁰ be the contact force under the base load (which acts before the loads of the question grow), F¹ the change of this force due to a load, and
-//! a the coefficients of a facet of the friction cone, so that the contact sticks while `a·F >= 0` for its force F. The margin under the base load is
-//! `r = a·F⁰`, and the load adds `s = a·F¹`, usually negative. The value of the goal of first slip is the load factor τ at which the margin vanishes,
-//! `r + τ s = 0`. The value of the goal of a reserve is the margin under the load, `r + s`.
+//! The contact force is F⁰ under the base load, which acts before the loads of the question grow, and a load changes it by F¹. With the coefficients
+//! a of a facet of the friction cone, the contact sticks while `a·F >= 0` for its force F. The margin under the base load is `r = a·F⁰`, and the load
+//! adds `s = a·F¹`, usually negative. If the goal is a late first slip, the value is the load factor τ at which the margin vanishes, `r + τ s = 0`.
+//! If the goal is a reserve of friction, the value is the margin under the load, `r + s`.
 
 /// The value that the search for places and squeezes of the fingers maximises. Each load has such a value, and the least of them is maximised.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -21,7 +22,7 @@ pub enum ImproveGoal {
 
 impl ImproveGoal {
     /// The value of the goal for one sticking condition. `rest` is the margin, N, of this condition under the base load, and `added` the change of
-    /// the margin due to the load, N. For first slip `None` if the load never breaks the condition.
+    /// the margin due to the load, N. `None` if the goal is first slip and the load never breaks the condition.
     pub(super) fn counts(self, rest: f64, added: f64) -> Option<f64> {
         let counted = match self {
             Self::FirstSlip => (added < 0.0).then(|| -rest / added),
@@ -30,8 +31,9 @@ impl ImproveGoal {
         counted.filter(|value| value.is_finite())
     }
 
-    /// The derivative of [`Self::counts`] with respect to one variable. It follows from the derivatives of the margin under the base load and of the
-    /// change of the margin due to the load.
+    /// The derivative of [`Self::counts`] with respect to one variable. `value` is what `counts` returned, and `added` the change of the margin due
+    /// to the load, as given to `counts`. The pair holds two derivatives with respect to the variable: of the margin under the base load, and of that
+    /// change.
     pub(super) fn change(self, value: f64, added: f64, [rest_changes, added_changes]: [f64; 2]) -> f64 {
         match self {
             Self::FirstSlip => -(rest_changes + value * added_changes) / added,

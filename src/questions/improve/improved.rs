@@ -1,5 +1,6 @@
 //! The search for better finger places: ascents from the given grasp and from the best of many random ones, and the answer with the best grasp found.
-//! A place is the position of a contact on its curve or surface, a squeeze the normal force of its command; a design point is one choice of both.
+//! A place is the position of a contact on its curve or surface, a squeeze the normal force of its command. A design point is one choice of all
+//! places and squeezes.
 
 use super::answer::{ActiveConstraint, ActiveConstraintKind, Improved, Placed, SearchEnd};
 use super::ascent::{Ascent, AscentProblem, EvaluatedDesign, LastStep};
@@ -22,7 +23,7 @@ impl<const C: usize> Grasp<C> {
     /// Finds places and squeezes (normal forces of the commands) of the fingers of this grasp for which the first slip comes as late as possible.
     /// Another goal is the largest reserve under the loads: the least margin of a contact force to the edge of its friction cone.
     ///
-    /// Friction cones are round in space. The result has the same bits for any number of threads.
+    /// Friction cones are round in space. The result is the same to the last bit for any number of threads.
     ///
     /// ```
     /// use grasp_lcp::improve::{Improve, Surface};
@@ -66,8 +67,8 @@ impl Improve<3> {
         let loaded = LoadSet::of(grasp.engine.space().axes(), self, &loads);
         let (design_space, as_given) = DesignSpace::of(&grasp, self)?;
         let ascent_problem = AscentProblem { design_space: &design_space, loaded: &loaded, grasp: &grasp };
-        // Some contacts of the given grasp may touch without force. Some starts leave these contacts idle (open until a load pushes them); others let
-        // them press, too.
+        // Some contacts of the given grasp may touch without force. Either choice may give the better grasp: some starts leave these contacts idle
+        // (open until a load pushes them), others let them press.
         let idle = ascent_problem.idle(&as_given)?;
         let given = as_given.with_idle(&idle);
         let before = ascent_problem.before(&given)?;

@@ -1,5 +1,5 @@
-//! The loads of a question, and the load factor of first slip of a grasp under them: the multiple of a load at which the first contact stops
-//! sticking. The base load acts before the other loads grow. The goal, first slip or a reserve of friction, is the value that the search maximises.
+//! The loads of a question, and the load factor of first slip under them. It is the multiple of a load at which the first contact stops sticking. The
+//! base load acts before the other loads grow. The goal, first slip or a reserve of friction, is the value that the search maximises.
 
 use super::goal::ImproveGoal;
 use super::question::Improve;
@@ -16,8 +16,8 @@ pub(super) struct LoadSet {
     pub(super) base: Wrench<3>,
     pub(super) loads: Vec<Wrench<3>>,
     pub(super) goal: ImproveGoal,
-    /// The point, m, and the size, N, of a force of any direction; `loads` then has one load per axis, this force along that axis. `None` if each
-    /// load acts alone, one after the other.
+    /// The point, m, and the size, N, of a force of any direction. `loads` then holds the force of this size along each coordinate axis. `None` if
+    /// the loads of the question are single loads, which act one at a time.
     pub(super) any: Option<([f64; 3], f64)>,
 }
 
@@ -38,8 +38,8 @@ impl LoadSet {
         }
     }
 
-    /// The least load factor at which a contact stops sticking under one of the loads, zero if nothing resists that load. `None` if a contact slides
-    /// under the base load, or no equilibrium under the base load is found.
+    /// The least load factor, over all loads, at which a contact stops sticking. If from some load factor on nothing resists a load, this factor
+    /// counts, too. `None` if a contact slides under the base load, or no equilibrium under the base load is found.
     pub(super) fn first_slip(&self, grasp: &Grasp<3>) -> Result<Option<f64>, Error> {
         if let Some((point, size)) = self.any {
             return Ok(match grasp.weakest_direction(self.base, point)? {

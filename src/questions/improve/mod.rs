@@ -5,10 +5,10 @@
 //! [`Grasp::improve`](crate::ask::Grasp::improve) returns an [`Improved`]: places, squeezes, the value of the [`ImproveGoal`] before and after, and
 //! the active sticking conditions, and active limits of forces, commands and places.
 //!
-//! While every contact sticks, the force of a contact is `F = F⁰ + τ F¹` at the load factor τ, with the force F⁰ under the base load (which acts
-//! before the load grows) and the change F¹ due to the load. A contact sticks while `a·F >= 0` for the coefficients a of each facet of its friction
-//! cone. Each of these conditions, of each contact and load, is first broken at its own load factor τ_k. The load factor of first slip is the least
-//! of these factors, a piecewise smooth function of places and squeezes x:
+//! While every contact sticks, the force of a contact is `F = F⁰ + τ F¹` at the load factor τ. F⁰ is its value under the base load, which acts before
+//! the load grows, and F¹ its change due to the load. A contact sticks while `a·F >= 0` for the coefficients a of each facet of its friction cone.
+//! Each of these conditions, of each contact and load, is first broken at its own load factor τ_k. The load factor of first slip is the least of
+//! these factors, a piecewise smooth function of places and squeezes x:
 //!
 //! ```text
 //! τ(x) = min_k τ_k(x),      dτ_k = -a·(dF⁰ + τ dF¹) / a·F¹

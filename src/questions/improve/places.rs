@@ -32,7 +32,7 @@ pub(super) fn clockwise(a: &SVector<f64, 3>) -> SVector<f64, 3> {
     [a[1], -a[0], 0.0].into()
 }
 
-/// The unit vector at a right angle to one unit vector in the plane, or to two in space.
+/// A unit vector at a right angle to the given ones: clockwise of one unit vector in the plane, the cross product of two perpendicular ones in space.
 fn perpendicular(along: &[SVector<f64, 3>]) -> SVector<f64, 3> {
     match along {
         [a, b, ..] => a.cross(b),

@@ -8,8 +8,9 @@
 //! ```
 //!
 //! `top` is a constant above every value that the least of the events can have in the box, so that t is positive and a minimum exists. By the
-//! optimality conditions, the gradients of events and constraints, weighted by their multipliers, sum to the multipliers of the box plus B d. At an
-//! optimum of the search both vanish.
+//! optimality conditions, the gradients of events and constraints are weighted by their multipliers. Their sum is B d plus the multipliers of the box
+//! (of upper ends minus lower ends). At an optimum of the search the step d is zero. The sum then vanishes in all variables that are not at an end of
+//! their range.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -39,12 +40,13 @@ pub(super) struct TrialStep {
     /// Multipliers of the events (sticking conditions under loads), at least 0; they add up to one.
     pub(super) events: Vec<f64>,
     pub(super) bounds: Vec<f64>,
-    /// For each variable the multipliers of the lower and upper end of `reach`; an end has the multiplier zero unless the variable is at this end
-    /// now.
+    /// For each variable the multipliers of the lower and upper end of `reach`. A multiplier is zero unless the variable is at that end before the
+    /// step.
     pub(super) ends: Vec<[f64; 2]>,
-    /// First-order residual at the present values, with the multipliers λ of the event values τ and ν of the constraints b: the largest entry of
-    /// `Σ λ ∇τ + Σ ν ∇b` over variables that are not at an end of `reach`. Or, if larger, the residual of complementarity between the multipliers λ,
-    /// ν and their events and constraints.
+    /// How far the present values are from first-order optimality: the larger of two residuals. The first is the largest entry of `Σ λ ∇τ + Σ ν h`,
+    /// over variables that are not at an end of `reach`. Here λ are the multipliers of the event values τ, and ν those of the constraints
+    /// `h·d + left >= 0`. The second is the residual of complementarity: the sum of all multipliers, each times the distance of its event or
+    /// constraint from being active.
     pub(super) residual: f64,
 }
 
@@ -114,7 +116,8 @@ impl StepProgram {
         if !top.is_finite() {
             return None;
         }
-        // An event whose value stays above `top` in the whole box is never the least, so the program omits it.
+        // The least event value is at most `top` everywhere in the box. An event whose value stays above `top` in the whole box is therefore never
+        // the least, and the program omits it.
         let mut near: Vec<usize> = (0..ranges.len()).list();
         near.retain(|k| self.factors[*k] + ranges[*k][0] < top);
         if near.is_empty() {

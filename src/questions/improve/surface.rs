@@ -10,9 +10,9 @@ use crate::grasp::Face;
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::prelude::*;
 
-/// A curve in the plane or a surface in space that a contact may move along. Of the two opposite normals of the surface, the contact keeps the one at
-/// an angle of at most 90° to its given normal, which points into the object. [`Grasp::improve`](crate::ask::Grasp::improve) refuses an invalid
-/// surface.
+/// A curve in the plane or a surface in space that a contact may move along. A surface has two opposite normals. The contact takes the one that
+/// points into the object, as its given normal does: the angle between them is at most 90°. [`Grasp::improve`](crate::ask::Grasp::improve) refuses an
+/// invalid surface.
 ///
 /// ```
 /// use grasp_lcp::improve::Surface;
@@ -108,8 +108,8 @@ impl Surface<3> {
         Self(Shape::Sphere { centre: centre.into().into(), radius })
     }
 
-    /// Triangles, such as the triangles of a mesh, by their corners, m, in all triangles clockwise or in all counterclockwise, seen from outside. The
-    /// search for better places moves a contact from one triangle to the next if that increases the value of the goal.
+    /// Triangles, such as the triangles of a mesh, by their corners, m. Seen from outside, the corners of all triangles must follow each other in the
+    /// same sense. The search for better places moves a contact from one triangle to the next if that increases the value of the goal.
     pub fn triangles(corners: impl IntoIterator<Item = [[f64; 3]; 3]>) -> Self {
         Self(Shape::Triangles(corners.into_iter().map(|corners| corners.each(SVector::from)).list()))
     }

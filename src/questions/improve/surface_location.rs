@@ -92,8 +92,8 @@ impl SurfaceLocation {
         };
         let mut moved = Self::new(surface, self.part, at, self.side);
         if let Shape::Sphere { .. } = surface {
-            // The search has learnt the second derivatives of its goal along these two directions. Therefore the directions are carried along to the
-            // new place, rather than chosen anew.
+            // The two tangent directions on a sphere are arbitrary. They are carried along to the new place instead of chosen anew, because the
+            // search has learnt second derivatives along them.
             let across = self.along[0] - moved.normal * self.along[0].dot(&moved.normal);
             if across.norm() > 0.5 {
                 let first = across.normalize();
@@ -126,8 +126,8 @@ impl SurfaceLocation {
             part += 1;
         }
         let [u, v] = [draw.uniform(), draw.uniform()];
-        // All triangles have their corners in the same order, and all segments their ends. The object is therefore on the same side of every triangle
-        // or segment, relative to its normal.
+        // The corners of all triangles have the same sense, and all segments run in one direction. So the normals of all parts point to the same
+        // side, and the side of the object is the same on every part.
         Self::new(surface, part, surface.random(part, [u, v]), self.side)
     }
 }

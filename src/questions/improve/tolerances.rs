@@ -1,22 +1,23 @@
 //! Limits of the search for finger places: at which an ascent has reached an optimum, and below which a gain is rounding. A place is the position of
-//! a contact on its curve or surface, a squeeze the normal force of its command; a design point is one choice of both.
+//! a contact on its curve or surface, a squeeze the normal force of its command. A design point is one choice of all places and squeezes.
 //!
-//! Places and squeezes are divided by the unit of their variable. Gains are divided by the load factor of first slip. If the reserve (the least
-//! margin of a contact force to the edge of its cone) is maximised, they are divided by the greatest contact force under the base load.
+//! All limits are without units. Places and squeezes are divided by the unit of their variable. The gain is the increase of the value that is
+//! maximised. If it is the load factor of first slip, gains are divided by that factor. If it is the reserve, gains are divided by the greatest
+//! contact force under the base load. The reserve is the least margin of a contact force to the edge of its cone.
 
-/// A design point is called an optimum to first order if its residual of first-order optimality is at most this number.
+/// A design point is called an optimum to first order if its residual is at most this number. Gradients of sticking conditions and limits, weighted
+/// by their multipliers, sum to zero at an optimum. The residual is the largest component of this sum or, if larger, the residual of complementarity.
 ///
 /// If smaller, the search ends as stalled at optima where two sticking conditions of one contact are active. If larger, a design point that could
 /// still be improved is called an optimum.
 pub(super) const OPTIMAL: f64 = 1e-6;
 
-/// The ascent stops once the residual of first-order optimality is at most this number.
+/// The ascent stops once the residual of [`OPTIMAL`] is at most this smaller number.
 ///
 /// If smaller, the last steps gain rounding only. If larger, places of contacts lose digits.
 pub(super) const ARRIVED_AT_TOP: f64 = 1e-10;
 
-/// An ascent ends if the predicted gain is at most this fraction of the load factor of first slip, or for a reserve of the greatest contact force
-/// under the base load: so small a gain is rounding.
+/// An ascent ends if the gain that a step predicts is at most this number, because so small a gain is rounding.
 ///
 /// If smaller, an ascent would continue until its steps are used up. If larger, it would end at places where the gradient is small.
 pub(super) const ROUNDED_GAIN: f64 = 1e-14;
@@ -27,7 +28,8 @@ pub(super) const ROUNDED_GAIN: f64 = 1e-14;
 pub(super) const ROUNDED_MULTIPLIER: f64 = 1e-7;
 
 /// A contact is refused if its distance from its surface exceeds this number times the sum of the grasp's size and the contact's distance from the
-/// origin. It is also refused if the angle between the two normals exceeds this number, rad.
+/// origin. It is also refused if the angle between the contact's normal and the normal of the surface exceeds this number, rad.
 ///
-/// If smaller, contacts with the six digits of a file are refused. If larger, a contact jumps to the surface.
+/// If smaller, contacts that a file gives with six digits are refused. If larger, the search would visibly displace a contact when it puts the
+/// contact on the surface.
 pub(super) const OFF_THE_SURFACE: f64 = 1e-6;

@@ -1,8 +1,11 @@
-//! Narrows the bracket of a bound beyond which only the enumeration of contact states finds an equilibrium at rest (before the loads act). An amount
-//! (of squeeze, friction, load, arm or angle) is sufficient if the grasp meets the demand with it; the bound is the least or greatest sufficient
-//! amount.
+//! Narrows a bracket in a difficult case: equilibria at rest (before the loads act) are found beyond the bound only by trying all combinations of
+//! contact states.
 //!
-//! Several such equilibria at rest may exist, and rounding determines which one is found. Verdicts on neighbouring amounts then alternate.
+//! An amount of squeeze, friction, load, arm or angle is sufficient if with it the grasp holds the loads as the question demands. The bound is the
+//! least or greatest sufficient amount. A bracket of it is a sufficient and a neighbouring insufficient amount.
+//!
+//! Several equilibria at rest may exist, and rounding determines which of them is found. Neighbouring amounts are then sufficient and insufficient in
+//! turn.
 
 use super::search::TrialFunctions;
 use super::threshold::{Threshold, WidthSchedule};
@@ -18,8 +21,8 @@ const BEYOND_PRESUMED: u32 = 6;
 
 impl Threshold {
     /// Narrows this bracket, a sufficient and an insufficient amount, by trials that enumerate the contact states. `presumed` is the last amount for
-    /// which an equilibrium at rest is found without this enumeration. If verdicts beyond it alternate, `presumed` becomes the sufficient amount of
-    /// the bracket.
+    /// which an equilibrium at rest is found without this enumeration. If an insufficient amount lies between `presumed` and a sufficient one, the
+    /// verdicts alternate. Then `presumed` becomes the sufficient amount of the bracket, and the nearest insufficient amount its other end.
     pub(super) fn beyond(
         mut self,
         presumed: f64,
