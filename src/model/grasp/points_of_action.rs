@@ -61,9 +61,16 @@ impl PointsOfAction {
         self.0.map(|sum| SMatrix::identity() * sum.trace() - (sum + sum.transpose()) * 0.5)
     }
 
-    /// An upper bound of the magnitude of the eigenvalues of [`Self::stiffness`], N m: the sum of the singular values of V, which is at most √3 |V|.
-    pub(crate) fn most_stiffness(self) -> Option<f64> {
-        self.0.map(|sum| 3f64.sqrt() * sum.norm())
+    /// Whether the points of action are known.
+    #[inline]
+    pub(crate) fn is_known(&self) -> bool {
+        self.0.is_some()
+    }
+
+    /// The entry `Σ F_a r_b` of the sum V, N m; zero if the points are not known.
+    #[inline]
+    pub(crate) fn product(&self, a: usize, b: usize) -> f64 {
+        self.0.map_or(0.0, |sum| sum[(a, b)])
     }
 
     fn map(self, change: impl FnOnce(SMatrix<f64, 3, 3>) -> SMatrix<f64, 3, 3>) -> Self {

@@ -1,19 +1,18 @@
 //! Verdicts on many grasps, on all cores. A row of the batch is one grasp with its base load and its growing load.
 //!
-//! In most rows every contact sticks, and [`screening`](crate::screening) shows this quickly: the first slip lies beyond the whole load, and the
-//! rotation stays within the limit of small motions (up to which the linear theory is trusted). For all other rows a load path is computed.
+//! In most rows every contact sticks. [`screening`](crate::screening), a fast computation of the first slip of many grasps, shows this: the first
+//! slip lies beyond the whole load. The rotation of the object also has to stay within the limit of small motions, up to which the linear theory is
+//! trusted. For all other rows a load path is computed.
 
 use core::ops::Range;
 
 use super::grasp::Grasp;
 use super::rows::{RowOf, answers_of_rows, while_sticking};
-use super::surely_stable::surely_stable;
 use crate::error::Error;
 use crate::hold::ShortVerdict;
 use crate::load_path::Ramp;
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::prelude::*;
-use crate::screening::WhileSticking;
 use crate::search::Settings;
 use crate::sweep::caught;
 
@@ -21,13 +20,14 @@ impl<const C: usize> Grasp<C> {
     /// The verdicts on many loads, each on a grasp of its own, on all cores. A row is one grasp with its base load and growing load; `row` returns
     /// the row with a given index, from 0. The verdicts equal the verdicts of [`Self::hold`], without sentences, lists of contacts and equilibria.
     ///
-    /// With [`Settings::most_load`] at 1 loads are followed no farther than the whole load. A row of two to 64 points in which everything sticks then
-    /// takes a few microseconds; [`screening`](crate::screening) says which contacts it supports. The load factor of the first slip comes from
-    /// screening and equals that of [`Self::hold`] up to rounding. If contacts slide one after another, and none opens or sticks again, a row takes
-    /// some ten times as long, and its factors differ from those of [`Self::hold`] by the error of steps, [`Settings::step_error`]. Any other row
-    /// takes as long as [`Self::hold`], so also one whose forces are so large for its stiffness that it might buckle.
+    /// If [`Settings::most_load`] is at most 1, loads are followed no farther than the whole load, and screening is used. A row of two to 64 contact
+    /// points that all stick then takes a few microseconds; [`screening`](crate::screening) says which contacts it supports. Its load factor of first
+    /// slip equals that of [`Self::hold`] up to rounding. A row in which contacts slide one after another, and none opens or sticks again, takes some
+    /// ten times as long. Its load factors have the error [`Settings::step_error`] of a path followed in steps. Any other row takes as long as
+    /// [`Self::hold`]. So does a row whose forces are large enough for its stiffness that it might buckle.
     ///
-    /// The verdicts are in the order of the rows, with the same bits for any number of threads. An error in one row does not stop the other rows.
+    /// The verdicts are in the order of the rows, and the same to the last bit for any number of threads. An error in one row does not stop the other
+    /// rows.
     ///
     /// ```
     /// use grasp_lcp::Settings;
@@ -64,17 +64,14 @@ fn held<const C: usize>(
     settings: &Settings,
 ) -> Vec<Result<ShortVerdict, Error>> {
     let ends_there = settings.most_load > 0.0 && settings.most_load <= 1.0;
-    let sticking = while_sticking(rows.clone(), row, settings, &|contacts, [base, load]| {
-        ends_there && surely_stable(contacts, 1.0, [base, base + load])
-    });
+    let sticking = while_sticking(rows.clone(), row, settings, &|_, _| ends_there);
     let limit = settings.small_motions.rotation;
     let mut verdicts = Vec::with_capacity(rows.len());
     for (number, sticking) in rows.zip(sticking) {
-        // The result of screening is used only if the first slip is clearly beyond the whole load, and the rotation clearly below its limit.
-        // Otherwise rounding could change the verdict.
-        let clear = sticking.filter(|WhileSticking { first, turn }| {
-            first.holds_up_to(1.0 + NEGLIGIBLE) && *turn <= limit * (1.0 - NEGLIGIBLE)
-        });
+        // The result of screening is used only if the first slip is clearly beyond the whole load, and the motion clearly small. Otherwise rounding
+        // could change the verdict.
+        let clear = sticking
+            .filter(|sticks| sticks.first.holds_up_to(1.0 + NEGLIGIBLE) && sticks.is_small(limit, 1.0));
         verdicts.push(match clear {
             Some(sticking) => Ok(ShortVerdict::sticks(sticking.first.factor())),
             None => caught(&|| {

@@ -17,7 +17,6 @@ mod rows;
 mod sensitivity;
 mod squeezes;
 mod statics;
-mod surely_stable;
 mod workspace;
 
 pub use energy::Energy;
@@ -28,5 +27,4 @@ pub use rows::RowOf;
 pub(crate) use rows::{answers_of_rows, while_sticking};
 pub use sensitivity::Sensitivity;
 pub use statics::Statics;
-pub(crate) use surely_stable::surely_stable;
 pub use workspace::OnsetWorkspace;

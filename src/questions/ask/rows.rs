@@ -10,14 +10,15 @@ use crate::screening::{PointBatch, Pull, SlipAndRotation, WhileSticking};
 use crate::search::Settings;
 use crate::sweep::map_in_order;
 
-/// One row of a batch, by its index from 0: appends the contacts of its grasp to an empty list, and returns the base load and the load that grows in
-/// addition to it.
+/// A function that gives the row of a batch with an index, from 0. It appends the contacts of the row's grasp to an empty list. It returns the base
+/// load, and the load that grows in addition.
 pub type RowOf<'a, const C: usize> = dyn Fn(usize, &mut Vec<Contact<C>>) -> [Wrench<C>; 2] + Sync + 'a;
 
 /// Number of rows in one task of a thread, few enough for their data to fit in the cache of a core.
 const CHUNK: usize = 256;
 
-/// The answers of all rows, in the order of the rows. `answers` answers a range of rows; each core works on one such range at a time.
+/// The answers for all rows, in the order of the rows. `answers` computes the answers for a range of rows; each core works on one such range at a
+/// time.
 pub(crate) fn answers_of_rows<T: Send>(
     rows: usize,
     answers: &(dyn Fn(Range<usize>) -> Vec<T> + Sync),
@@ -29,13 +30,13 @@ pub(crate) fn answers_of_rows<T: Send>(
     map_in_order(&chunks, |chunk| answers(chunk.clone())).into_iter().flatten().list()
 }
 
-/// First slip of each row, and the larger of the rotations under the base load and under the whole load. `None` for a row whose contacts screening
-/// does not support, and for a row for whose contacts and loads `is_meant` returns false.
+/// The first slip of each row, and the larger of the object's rotations under the base load and under the whole load. `None` for a row whose contacts
+/// screening does not support. Also `None` if `is_meant`, which gets the contacts and base load of a row, returns false.
 pub(crate) fn while_sticking<const C: usize>(
     rows: Range<usize>,
     row: &RowOf<'_, C>,
     settings: &Settings,
-    is_meant: &dyn Fn(&[Contact<C>], [Wrench<C>; 2]) -> bool,
+    is_meant: &dyn Fn(&[Contact<C>], &Wrench<C>) -> bool,
 ) -> Vec<Option<WhileSticking>> {
     let mut answers = vec![None; rows.len()];
     let is_exact = C == 2 || settings.is_round(Space::Spatial);
@@ -47,11 +48,11 @@ pub(crate) fn while_sticking<const C: usize>(
     for (place, number) in rows.clone().enumerate() {
         contacts.clear();
         let [base, load] = row(number, &mut contacts);
-        // Rows excluded here get `None`, and the caller computes their load path. Screening does not notice that a grasp with bonded contacts only
-        // may carry no force at all (a loose object), and it computes no slips of contacts without friction.
+        // Two kinds of rows are left to the caller, which computes their load path. If all contacts are bonded, the object may lie loose without any
+        // force, which screening does not notice. And screening computes no slips of contacts without friction.
         let presses = contacts.iter().any(|contact| contact.hold == Hold::Unilateral);
         let sticks = |contact: &Contact<C>| contact.hold == Hold::Bonded || contact.springs() > 1;
-        if !(presses && contacts.iter().all(sticks) && is_meant(&contacts, [base, load])) {
+        if !(presses && contacts.iter().all(sticks) && is_meant(&contacts, &base)) {
             continue;
         }
         let Ok(pull) = Pull::new(&base, &load) else { continue };

@@ -11,7 +11,7 @@ use core::ops::Range;
 use super::answer::{Amount, Quantity};
 use super::question::{Demand, Need};
 use super::tolerances::MOST_LOADS;
-use crate::ask::{Grasp, RowOf, answers_of_rows, surely_stable, while_sticking};
+use crate::ask::{Grasp, RowOf, answers_of_rows, while_sticking};
 use crate::error::Error;
 use crate::grasp::{Contact, Wrench, inside};
 use crate::hold::{Holding, Verdict};
@@ -134,8 +134,8 @@ impl BatchNeed {
         row: &RowOf<'_, C>,
     ) -> Vec<Result<ShortAmount, Error>> {
         let sticks = self.demand == Demand::Sticks;
-        let sticking = while_sticking(rows.clone(), row, &self.settings, &|contacts, [base, _]| {
-            sticks && self.is_proportional(contacts, &base)
+        let sticking = while_sticking(rows.clone(), row, &self.settings, &|contacts, base| {
+            sticks && self.is_proportional(contacts, base)
         });
         let mut bounds: Vec<_> =
             mapped(&sticking, &|sticking| sticking.as_ref().and_then(|one| self.while_it_sticks(one)));
@@ -145,21 +145,11 @@ impl BatchNeed {
         let mut amounts = Vec::with_capacity(rows.len());
         for (number, bound) in rows.zip(bounds) {
             amounts.push(match bound {
-                Some(amount) if self.is_surely_stable(amount, number, row) => Ok(ShortAmount::Bound(amount)),
-                _ => caught(&|| self.alone(number, row)),
+                Some(amount) => Ok(ShortAmount::Bound(amount)),
+                None => caught(&|| self.alone(number, row)),
             });
         }
         amounts
-    }
-
-    /// Whether the grasp of a row surely does not buckle with this amount of the sought quantity.
-    fn is_surely_stable<const C: usize>(&self, amount: f64, number: usize, row: &RowOf<'_, C>) -> bool {
-        let mut contacts = Vec::new();
-        let [base, load] = row(number, &mut contacts);
-        match self.quantity {
-            Quantity::Squeeze => surely_stable(&contacts, amount, [base, base + load]),
-            _ => surely_stable(&contacts, 1.0, [base, base + load * amount]),
-        }
     }
 
     /// Fills in answers that [`Self::while_it_sticks`] leaves open, if the load is sought. That function bounds the rotation under the sought
@@ -184,26 +174,26 @@ impl BatchNeed {
         };
         let there = while_sticking(0..again.len(), &multiplied, &self.settings, &|_, _| true);
         for ((place, multiple), there) in again.iter().zip(there) {
-            let is_small = there.is_some_and(|there| self.is_small(there.turn));
+            let is_small = there.is_some_and(|there| self.is_small(&there, 1.0));
             bounds[*place] = is_small.then_some(*multiple);
         }
     }
 
-    fn is_small(&self, turn: f64) -> bool {
-        turn <= self.settings.small_motions.rotation * (1.0 - NEGLIGIBLE)
+    fn is_small(&self, sticking: &WhileSticking, times: f64) -> bool {
+        sticking.is_small(self.settings.small_motions.rotation, times)
     }
 
     /// The amount with which everything sticks; `None` unless the rotation of the object with this amount is clearly within the limit of small
     /// motions.
-    fn while_it_sticks(&self, WhileSticking { first, turn }: &WhileSticking) -> Option<f64> {
-        let multiple = first.factor()?;
+    fn while_it_sticks(&self, sticking: &WhileSticking) -> Option<f64> {
+        let multiple = sticking.first.factor()?;
         let amount = self.amount(multiple)?;
         // The rotation is linear in load and squeeze together. `turn` bounds it at rest and under the given load, and thus for all multiples of load
         // and squeeze.
         let [load, squeeze] =
             if self.quantity == Quantity::Squeeze { [1.0, amount] } else { [multiple, 1.0] };
-        let most = turn * (load + (squeeze - load).abs());
-        self.is_small(most).then_some(amount)
+        let times = load + (squeeze - load).abs();
+        self.is_small(sticking, times).then_some(amount)
     }
 
     /// The amount for one row, a grasp with its load.

@@ -40,6 +40,7 @@ mod balance;
 mod batch;
 mod batch_part;
 mod block;
+mod buckling;
 mod by_motion;
 mod cone;
 mod edge;

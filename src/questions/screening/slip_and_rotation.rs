@@ -3,6 +3,7 @@
 
 use super::answer_slots::AnswerSlots;
 use super::block::Layout;
+use super::buckling::{LoadAtPoints, Resistance};
 use super::first_exit::judge;
 use super::first_slip::SlipCode;
 use super::forces::AnyForces;
@@ -17,6 +18,7 @@ use super::springs::Cause;
 use super::tolerances::ON_THE_EDGE;
 use crate::contact::ZERO_SLACK;
 use crate::numerics::Vectors;
+use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::prelude::*;
 
 /// The question for first slip and rotation of each grasp of a batch under its own load; `pulls` has one load for each grasp.
@@ -33,6 +35,21 @@ pub(crate) struct WhileSticking {
     /// The larger of the object's rotations under the base load and under the whole load (factor 1), rad. NaN if the position of the object is not
     /// determined, or if no rotation was computed.
     pub(crate) turn: f64,
+    /// A bound of the fraction of the resistance to rotation that forces take away under the base load and under the whole load. NaN if it is not
+    /// known, if no contact carries a force, or if no rotation was computed.
+    pub(crate) taken: f64,
+}
+
+/// A grasp surely does not buckle if the bound of what forces take away is below this fraction of the resistance. Rounding is far smaller than the
+/// rest to 1.
+const SURELY: f64 = 0.99;
+
+impl WhileSticking {
+    /// Whether the rotation is clearly within its `limit`, rad, and the grasp surely does not buckle, if load and squeeze are so changed that rotation
+    /// and forces grow at most by the factor `times`.
+    pub(crate) fn is_small(&self, limit: f64, times: f64) -> bool {
+        self.turn * times <= limit * (1.0 - NEGLIGIBLE) && self.taken * times <= SURELY
+    }
 }
 
 impl<const C: usize> SlipAndRotation<C> {
@@ -53,11 +70,37 @@ impl<const C: usize> SlipAndRotation<C> {
         let last = self.pulls.len() - 1;
         X::of(X::each(|lane| component(&self.pulls[(first + lane).min(last)])))
     }
+
+    /// The loads on the grasps of a block, `base + factor · direction`, with their points of action.
+    #[inline(always)]
+    fn at_points<X: Packed>(&self, first: usize, factor: f64) -> LoadAtPoints<C, X> {
+        let last = self.pulls.len() - 1;
+        let loads = X::each(|lane| {
+            let pull = &self.pulls[(first + lane).min(last)];
+            pull.base + pull.direction * factor
+        });
+        let loads = loads.as_ref();
+        let mut load = LoadAtPoints { force: [X::all(0.0); C], moments: [[X::all(0.0); C]; C] };
+        if loads.iter().all(|load| !load.points_of_action().is_known()) {
+            return load;
+        }
+        for a in 0..C {
+            load.force[a] = X::of(X::each(|lane| {
+                let load = &loads[lane];
+                if load.points_of_action().is_known() { load.components()[a] } else { 0.0 }
+            }));
+            for b in 0..C {
+                load.moments[a][b] = X::of(X::each(|lane| loads[lane].points_of_action().product(a, b)));
+            }
+        }
+        load
+    }
 }
 
 impl<const C: usize> ScreeningQuestion<C> for SlipAndRotation<C> {
     type Answer = WhileSticking;
-    const UNKNOWN: WhileSticking = WhileSticking { first: Screened(SlipCode::UNKNOWN), turn: f64::NAN };
+    const UNKNOWN: WhileSticking =
+        WhileSticking { first: Screened(SlipCode::UNKNOWN), turn: f64::NAN, taken: f64::NAN };
 
     #[inline(always)]
     fn ask<V: Vectors, X: Packed>(
@@ -76,18 +119,27 @@ impl<const C: usize> ScreeningQuestion<C> for SlipAndRotation<C> {
         prepared.under_lanes(&at_rest, base);
         base.add_to(prepared.block.contacts, prepared.squeezed, ON_THE_EDGE / ZERO_SLACK);
         let first = judge(prepared.vectors, &prepared.block, base, rates);
-        let mut turn = X::all(f64::NAN);
+        let [mut turn, mut taken] = [X::all(f64::NAN); 2];
         if self.turns {
+            let (v, block) = (prepared.vectors, &prepared.block);
+            let resistance = Resistance::of(v, block, prepared.ready.method());
             let start = prepared.turned(&at_rest, base);
+            let taken_at_rest = resistance.taken(v, block, &base.of, &self.at_points(prepared.first, 0.0));
             base.add_to(prepared.block.contacts, rates, 1.0);
             for k in 0..Layout::<C>::COORDINATES {
                 more[k] += at_rest[k];
             }
-            // `max` ignores NaN. Adding zero times `start` makes `turn` NaN if `start` is NaN.
+            // `max` ignores NaN. Adding zero times the first number makes the sum NaN if that number is NaN.
             turn = start.max(prepared.turned(&more, base)) + zero * start;
+            let taken_there = resistance.taken(v, block, &base.of, &self.at_points(prepared.first, 1.0));
+            taken = taken_at_rest.max(taken_there) + zero * taken_at_rest;
         }
         let first = first.as_ref();
-        slots.each(X::each(|lane| WhileSticking { first: first[lane], turn: turn.lane(lane) }));
+        slots.each(X::each(|lane| WhileSticking {
+            first: first[lane],
+            turn: turn.lane(lane),
+            taken: taken.lane(lane),
+        }));
     }
 }
 

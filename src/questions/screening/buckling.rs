@@ -1,0 +1,174 @@
+//! A bound that shows that a sticking grasp does not buckle, for several grasps, one in each lane of a vector. Forces take resistance away because
+//! their points of action turn with the object; see `equilibrium/left_out`.
+//!
+//! If contact i is at least as stiff as k_i in every direction, the springs resist rotations about the centroid of the k_i with at least the stiffness
+//! `J = Σ k_i (|r_i|² 1 - r_i r_iᵀ)`, with the arms r_i from this centroid. Forces F at arms r, of contacts and loads, add the geometric stiffness
+//! `M = Σ (F·r) 1 - ½ (F rᵀ + r Fᵀ)`. In the plane both are numbers, `Σ k_i |r_i|²` and `Σ F·r`. The grasp does not buckle while all eigenvalues of
+//! J⁻¹ M are above -1, so that it is enough if `tr (J⁻¹ M)²` is below 1.
+
+use super::block::{Block, count, entries};
+use super::factors::LaneFactors;
+use super::finger::{Force, world};
+use super::lanes::{Packed, dot};
+use super::method::Method;
+use crate::numerics::Vectors;
+
+/// A lower bound J of the stiffness against rotation.
+pub(super) struct Resistance<const C: usize, X: Packed> {
+    /// The centroid of the contacts, weighted with their stiffnesses, m.
+    centre: [X; C],
+    factors: LaneFactors<3, X>,
+}
+
+/// A load with its points of action.
+pub(super) struct LoadAtPoints<const C: usize, X: Packed> {
+    /// The resultant force, N; zero if the points of action are not known, so that the load then adds no stiffness.
+    pub(super) force: [X; C],
+    /// The sum of products `F_a r_b` of components of forces and points, N m; zero if the points are not known.
+    pub(super) moments: [[X; C]; C],
+}
+
+impl<const C: usize, X: Packed> Resistance<C, X> {
+    /// The bound for contacts with stiffnesses or compliances, depending on the method.
+    #[inline(never)]
+    pub(super) fn of<V: Vectors>(v: V, block: &Block<'_, C, X>, method: Method) -> Self {
+        let zero = X::all(0.0);
+        let mut resistance = Self { centre: [zero; C], factors: LaneFactors::none() };
+        v.run(
+            #[inline(always)]
+            || resistance.compute(block, method),
+        );
+        resistance
+    }
+
+    #[inline(always)]
+    fn compute(&mut self, block: &Block<'_, C, X>, method: Method) {
+        let least = |i: usize| {
+            let [normal, tangential] = entries(&block.springs(), i);
+            match method {
+                Method::Edges => X::all(1.0) / normal.max(tangential),
+                Method::Motions => normal.min(tangential),
+            }
+        };
+        let mut stiffness = X::all(0.0);
+        for i in 0..count(block.contacts) {
+            let (k, point) = (least(i), entries(&block.points(), i));
+            stiffness += k;
+            for axis in 0..C {
+                self.centre[axis] += k * point[axis];
+            }
+        }
+        for axis in 0..C {
+            self.centre[axis] = self.centre[axis] / stiffness;
+        }
+        for i in 0..count(block.contacts) {
+            let arm = self.arm(block, i);
+            let mut pull = arm;
+            for axis in 0..C {
+                pull[axis] = least(i) * arm[axis];
+            }
+            add(&mut self.factors.entries, &pull, &arm);
+        }
+        self.factors.factorize(rotations(C), false);
+    }
+
+    #[inline(always)]
+    fn arm(&self, block: &Block<'_, C, X>, i: usize) -> [X; C] {
+        let mut arm = entries(&block.points(), i);
+        for axis in 0..C {
+            arm[axis] -= self.centre[axis];
+        }
+        arm
+    }
+
+    /// The square root of `tr (J⁻¹ M)²`: no smaller than the fraction of the resistance that these forces and this load take away, or add, in any
+    /// rotation. NaN if some rotation is not resisted, and if no contact carries a force, so that the object lies loose.
+    #[inline(never)]
+    pub(super) fn taken<V: Vectors>(
+        &self,
+        v: V,
+        block: &Block<'_, C, X>,
+        forces: &[Force<C, X>],
+        load: &LoadAtPoints<C, X>,
+    ) -> X {
+        let mut taken = X::all(f64::NAN);
+        v.run(
+            #[inline(always)]
+            || taken = self.part_taken(block, forces, load),
+        );
+        taken
+    }
+
+    #[inline(always)]
+    fn part_taken(&self, block: &Block<'_, C, X>, forces: &[Force<C, X>], load: &LoadAtPoints<C, X>) -> X {
+        let (zero, nan) = (X::all(0.0), X::all(f64::NAN));
+        let mut geometric = [[zero; 3]; 3];
+        let mut squares = zero;
+        for (i, force) in forces.iter().enumerate().take(count(block.contacts)) {
+            let force = world(&entries(&block.normals(), i), force);
+            squares += dot(&force, &force);
+            add(&mut geometric, &force, &self.arm(block, i));
+        }
+        let mut moved = load.moments;
+        for a in 0..C {
+            for b in 0..C {
+                moved[a][b] -= load.force[a] * self.centre[b];
+            }
+        }
+        add_moments(&mut geometric, &moved);
+        let rows = rotations(C);
+        // Columns of J⁻¹ M. Only entries of M on and below the diagonal are stored.
+        let mut columns = [[zero; 3]; 3];
+        for k in 0..rows {
+            let mut column = [zero; 3];
+            for row in 0..rows {
+                column[row] = if row < k { geometric[k][row] } else { geometric[row][k] };
+            }
+            columns[k] = self.factors.solve(rows, &column);
+        }
+        let mut trace = zero;
+        for a in 0..rows {
+            for b in 0..rows {
+                trace += columns[a][b] * columns[b][a];
+            }
+        }
+        let taken = squares.above(zero, trace.abs().sqrt(), nan);
+        self.factors.free.above(zero, nan, taken)
+    }
+}
+
+/// Number of rotations: one in the plane, three in space.
+const fn rotations(axes: usize) -> usize {
+    2 * axes - 3
+}
+
+/// Adds the stiffness against rotation of the force `force` at `arm` to the entries on and below the diagonal.
+#[inline(always)]
+fn add<const C: usize, X: Packed>(stiffness: &mut [[X; 3]; 3], force: &[X; C], arm: &[X; C]) {
+    let mut moments = [*arm; C];
+    for a in 0..C {
+        for b in 0..C {
+            moments[a][b] = force[a] * arm[b];
+        }
+    }
+    add_moments(stiffness, &moments);
+}
+
+/// Adds the stiffness `(tr V) 1 - ½ (V + Vᵀ)` of the sum V of products of forces and arms; in the plane tr V alone.
+#[inline(always)]
+fn add_moments<const C: usize, X: Packed>(stiffness: &mut [[X; 3]; 3], moments: &[[X; C]; C]) {
+    let mut trace = moments[0][0];
+    for axis in 1..C {
+        trace += moments[axis][axis];
+    }
+    if const { C == 2 } {
+        stiffness[0][0] += trace;
+        return;
+    }
+    for row in 0..C {
+        stiffness[row][row] += trace - moments[row][row];
+        for column in 0..row {
+            stiffness[row][column] -= X::all(0.5) * (moments[row][column] + moments[column][row]);
+        }
+    }
+}
