@@ -293,19 +293,14 @@ impl OptionVectors {
         Ok(Some(Question::Improve(Box::new(question))))
     }
 
-    /// The wrench of a force that acts at a point; `option` is the option that an error names. Without a point the force acts along a line through
-    /// the origin. Its point of action on this line, which matters for stability, then counts as unknown.
+    /// The wrench of a force that acts at the point `at`, or at the origin without it; `option` is the option that an error names.
     pub(crate) fn push(self, force: &Numbers, option: &str, at: Option<&Numbers>) -> Result<Wrench, Failure> {
-        let force = force.along_axes(self.axes, option)?;
-        Ok(if at.is_some() { Wrench::force_at(force, self.point(at)?) } else { Wrench::force(force) })
+        Ok(Wrench::force_at(force.along_axes(self.axes, option)?, self.point(at)?))
     }
 
-    /// The constant load of the option `--base`: a force, N, that acts at the point `at`, as a wrench about the origin. Zero without this option.
+    /// The constant load of the option `--base`; zero without this option.
     pub(crate) fn base(self, base: Option<&Numbers>, at: Option<&Numbers>) -> Result<Wrench, Failure> {
-        let Some(base) = base else { return Ok(Wrench::ZERO) };
-        // Without `--at` the origin is taken as the point at which the base load acts. Answers then also say whether the grasp buckles under the base
-        // load.
-        Ok(Wrench::force_at(base.along_axes(self.axes, "base")?, self.point(at)?))
+        base.map_or(Ok(Wrench::ZERO), |base| self.push(base, "base", at))
     }
 
     fn follow(

@@ -11,9 +11,9 @@ use crate::numerics::tolerances::NEGLIGIBLE;
 
 impl<const C: usize> LoadPath<'_, C> {
     /// The point, on the part of the path followed so far, from which on the answers say little about the object. There a motion is no longer small,
-    /// a suction cup leaks ([`Self::end_of_small_motions`]), or the grasp [buckles](TooFar::Buckles). Buckling is checked at rest. If the points of
-    /// action of the load are known, it is also checked at the end of each leg and of the path. The point at which buckling begins is then found to
-    /// nine digits.
+    /// a suction cup leaks ([`Self::end_of_small_motions`]), or the grasp [buckles](TooFar::Buckles). Buckling is checked at rest and at the end of
+    /// each leg and of the path, wherever the points of action of the load are known. The point at which buckling begins is then found to nine
+    /// digits.
     #[must_use]
     pub fn end_of_theory(&self) -> Option<EndOfSmallMotions> {
         self.end_of_theory_before(self.end_of_small_motions())
@@ -36,12 +36,10 @@ pub(super) fn end_of_theory<const C: usize>(
     buckling.or_else(|| far.cloned())
 }
 
-/// The point of the path, to nine digits, from which on the grasp buckles. Buckling is checked at rest. If the points of action of the load are
-/// known, it is also checked at the end of each leg and at the point `end`. Along a load that turns it is checked in between, too.
+/// The point of the path, to nine digits, from which on the grasp buckles. Buckling is checked at rest, at the end of each leg and at the point `end`,
+/// wherever the points of action of the load are known. Along a load that turns it is checked in between, too.
 fn buckling<const C: usize>(path: &dyn AnyPath<C, Event<C>>, end: (usize, f64)) -> Option<EndOfSmallMotions> {
     let load = |leg: usize, fraction: f64| path.state_at(leg, fraction).map(|state| state.load);
-    let is_known = |load: Wrench<C>| load.points_of_action().stiffness().is_some();
-    let legs = if load(end.0, end.1).is_none_or(is_known) { end.0 + 1 } else { 0 };
     let turns = |leg: usize, to: f64| {
         let loads = (load(leg, 0.0), load(leg, 0.5 * to), load(leg, to));
         let (Some(first), Some(middle), Some(last)) = loads else { return false };
@@ -50,7 +48,7 @@ fn buckling<const C: usize>(path: &dyn AnyPath<C, Event<C>>, end: (usize, f64)) 
         size(&off) > NEGLIGIBLE * (size(&first) + size(&middle))
     };
     let mut places = vec![(0, 0.0)];
-    for leg in 0..legs {
+    for leg in 0..=end.0 {
         let to = if leg == end.0 { end.1 } else { 1.0 };
         let parts = if turns(leg, to) { PARTS_OF_A_TURN } else { 1 };
         places.extend((1..=parts).map(|k| (leg, to * f64::from(k) / f64::from(parts))));
