@@ -299,7 +299,7 @@ pub(crate) struct SceneArguments {
 }
 
 /// The question of `need`.
-#[derive(Debug, Args)]
+#[derive(Debug, Default, PartialEq, Args)]
 pub(crate) struct NeedArguments {
     /// The quantity that is sought; if left out, the scene's own questions are asked.
     #[arg(value_enum)]

@@ -5,7 +5,7 @@ use clap::Args;
 use crate::numbers::{BodyPush, Numbers, kilograms};
 
 /// A load that replaces the loads of the scene's questions.
-#[derive(Debug, Clone, Args)]
+#[derive(Debug, Clone, Default, PartialEq, Args)]
 pub(crate) struct LoadArguments {
     /// The force, N: components separated by commas. Without force and moment, the scene's own questions are asked.
     #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]

@@ -13,14 +13,20 @@ use crate::scene_loads::{SceneLoads, own_need};
 use grasp_lcp::scene::{Question, Setup};
 
 impl OptionVectors {
-    /// The question for the quantity that the command line names, with the loads of the command line or else of the scene. `None` if it names no
-    /// quantity.
+    /// The question for the quantity that the command line names, with the loads of the command line or else of the scene. `None` if the command line
+    /// names neither a quantity nor anything else about the need.
     pub(crate) fn need(
         self,
         need_arguments: &NeedArguments,
         setup: &mut Setup<3>,
     ) -> Result<Option<Need>, Failure> {
-        let Some(sought) = need_arguments.quantity else { return Ok(None) };
+        let Some(sought) = need_arguments.quantity else {
+            if *need_arguments == NeedArguments::default() {
+                return Ok(None);
+            }
+            let message = "say what is needed, such as `squeeze`, beside a load or an option: without it only the scene's own questions are asked, as they stand";
+            return Err(Failure::Usage(message.to_owned()));
+        };
         refuse_others(need_arguments, sought)?;
         let own = own_need(setup, need_arguments, sought);
         let is_own = own.is_some();

@@ -10,7 +10,7 @@ use crate::failure::Failure;
 const LARGEST_NUMBER: f64 = 1e50;
 
 /// Numbers separated by commas.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Numbers(pub(crate) Vec<f64>);
 
 impl std::str::FromStr for Numbers {
@@ -55,7 +55,7 @@ impl Numbers {
 }
 
 /// A force on one of several bodies, and the point where it acts.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq)]
 pub(crate) struct BodyPush {
     pub(crate) body: String,
     pub(crate) force: Numbers,

@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use grasp_lcp::grasp::Wrench;
 use grasp_lcp::need::{Need, Quantity};
 use grasp_lcp::squeeze::Loads;
+use grasp_lcp::words::Words;
 
 use crate::arguments::{NeedArguments, SoughtQuantity};
 use grasp_lcp::scene::{Question, Setup};
@@ -18,8 +19,8 @@ pub(crate) struct SceneLoads {
 
 impl SceneLoads {
     /// The loads of the scene's first question `need`. Without such a question: the loads of all questions `hold` with the same constant load as the
-    /// first question `hold`, and without loads on other bodies. Without questions `hold`, too: the load of the first question `solve`. A warning
-    /// says which loads are taken. `None` without any of these questions.
+    /// first question `hold`, and without loads on other bodies. Without questions `hold`, too: the load of the first question `solve`. Questions whose
+    /// loads are zero come after all others. A warning says which loads are taken. `None` without any of these questions.
     pub(crate) fn of(setup: &Setup<3>) -> Option<Self> {
         let kinds: [fn(&Question<3>) -> bool; 3] = [
             |question| matches!(question, Question::Need(_)),
@@ -27,10 +28,15 @@ impl SceneLoads {
             |question| matches!(question, Question::Solve { .. }),
         ];
         let questions = || setup.questions.iter().enumerate();
-        let of_kind = |is: &fn(&Question<3>) -> bool| {
-            questions().find_map(|(k, question)| question.loads().filter(|_| is(question)).zip(Some(k)))
+        let first_of = |acts: bool| {
+            kinds.iter().find_map(|is| {
+                questions().find_map(|(k, question)| {
+                    let is_meant = |loads: &(_, Loads<3>, _)| is(question) && acts != is_zero(&loads.1);
+                    question.loads().filter(is_meant).zip(Some(k))
+                })
+            })
         };
-        let ((base, mut loads, together_with), first) = kinds.iter().find_map(of_kind)?;
+        let ((base, mut loads, together_with), first) = first_of(true).or_else(|| first_of(false))?;
         let is_alone = |question: &Question<3>| match question {
             Question::Hold { base: other, load, together_with } => {
                 (*other == base && together_with.is_empty()).then_some(*load)
@@ -44,10 +50,28 @@ impl SceneLoads {
             );
             loads = alike.into();
         } else {
-            eprintln!("warning: no load is given: that of the scene's question {} is taken", first + 1);
+            let which = in_words(setup.words(Words::default()), &loads);
+            eprintln!(
+                "warning: no load is given: that of the scene's question {} is taken, {which}",
+                first + 1
+            );
         }
         Some(Self { base, loads, together_with: together_with.clone() })
     }
+}
+
+/// Loads as text: "(0, -4.905) N and 0.2 N m". Moments are about the origin.
+fn in_words(words: Words, loads: &Loads<3>) -> String {
+    match loads {
+        Loads::Each(list) => list.iter().map(|load| words.load(load)).collect::<Vec<_>>().join("; "),
+        Loads::AnyForce { size, .. } => format!("{size} N in any direction"),
+        _ => "which turns".to_owned(),
+    }
+}
+
+/// Whether these are forces and moments of zero.
+fn is_zero(loads: &Loads<3>) -> bool {
+    matches!(loads, Loads::Each(list) if list.iter().all(|load| *load == Wrench::ZERO))
 }
 
 /// The first nonzero constant load (base load or load at the start) of the scene's questions, with the number of its question from 1.
