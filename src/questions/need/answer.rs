@@ -232,6 +232,32 @@ impl Amount {
     }
 }
 
+impl Amount {
+    /// Moves the far end of these safe amounts, so that amounts before it suffice also without deviations, as the amounts `given`, and without the
+    /// relative `reduction` of the sought quantity itself. Example: with 5 % less squeeze than set, larger squeezes suffice than without.
+    pub(super) fn end_before(&mut self, given: &Self, is_least: bool, reduction: f64) {
+        let (Self::Bound { until: given, .. } | Self::Any { until: given, .. }) = given else { return };
+        let (safe, until) = match self {
+            Self::Bound { sufficient, until, .. } => (*sufficient, until),
+            Self::Any { to, until, .. } => (*to, until),
+            _ => return,
+        };
+        if let Some(end) = until.as_mut().filter(|_| is_least) {
+            end.scale(1.0 - reduction);
+        }
+        let is_before = |one: f64, other: f64| if is_least { one < other } else { one > other };
+        if let Some(given) = given
+            && until.as_ref().is_none_or(|end| is_before(given.sufficient, end.sufficient))
+        {
+            *until = Some(given.clone());
+        }
+        // Without any amount that suffices in all cases, the text beside the least or greatest safe amount says that it does not do as given.
+        if until.as_ref().is_some_and(|end| is_before(end.sufficient, safe)) {
+            *until = None;
+        }
+    }
+}
+
 /// The amounts for which a verdict was computed. An interval of other verdicts may lie unnoticed between two of them.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -265,6 +291,20 @@ pub struct FarEnd {
     /// Joints and tendons whose drives are at their limit at rest with the squeeze `sufficient`; empty for other quantities.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub at_their_limit: Vec<String>,
+}
+
+impl FarEnd {
+    /// Multiplies the amounts at this end, and the normal forces there, which are proportional to them.
+    fn scale(&mut self, factor: f64) {
+        self.sufficient *= factor;
+        self.insufficient *= factor;
+        for press in &mut self.presses {
+            press.force *= factor;
+            press.pressure = press.pressure.map(|pressure| pressure * factor);
+            press.pressed_with = press.pressed_with.map(|force| force * factor);
+            press.overlap = press.overlap.map(|overlap| overlap * factor);
+        }
+    }
 }
 
 /// An interval of sufficient amounts, both ends included.

@@ -12,7 +12,7 @@ use crate::error::check_contact;
 use crate::error::{Error, is_moderate};
 use crate::grasp::{Contact, Wrench};
 use crate::load_path::Turn;
-use crate::numerics::{Each, Space, any_index, largest};
+use crate::numerics::{Each, Space, any_index, chosen, largest};
 use crate::prelude::*;
 use crate::squeeze::Loads;
 use crate::words::Words;
@@ -125,11 +125,18 @@ impl CheckedNeed {
         self.loads.check_size()
     }
 
-    /// This need adapted to a grasp. The friction of a soft fingertip is set at all its points. If no command presses, a force is sought in place of
+    /// This need adapted to a grasp. The friction of a soft fingertip is set at all its points. If no contact has friction, the coefficient of all
+    /// contacts is sought; contacts that are parts of links, such as guides, stay frictionless. If no command presses, a force is sought in place of
     /// a squeeze. It is the load of the only loaded body, or the load at rest if no body is loaded and no contacts overlap.
     pub(super) fn on(mut self, grasp: &Grasp<3>) -> Result<Self, Error> {
         match &mut self.sought {
             Sought::Friction { contacts: Some(contacts) } => *contacts = grasp.points_of(contacts)?,
+            Sought::Friction { contacts }
+                if grasp.contacts().iter().all(|contact| contact.friction == 0.0) =>
+            {
+                let all = grasp.contacts();
+                *contacts = Some(chosen(all.len(), &|i| all[*i].link.is_none()));
+            }
             Sought::Squeeze if !grasp.is_squeezed() => {
                 let bodies = grasp.loaded_bodies();
                 let is_at_rest = bodies.is_empty() && self.base != Wrench::ZERO;
@@ -308,6 +315,9 @@ impl Need<3> {
         let has_no_load = matches!(&posed.loads, Loads::Each(list) if list.iter().all(is_zero));
         if safety.load != 1.0 && has_no_load {
             return Err(wrong("safety", NOTHING_TO_MULTIPLY));
+        }
+        if self.quantity == Quantity::Load && has_no_load && self.together_with.is_empty() {
+            return Err(wrong("load", "is zero, must be a force or a moment whose multiple is sought"));
         }
         Ok(posed)
     }

@@ -85,10 +85,18 @@ impl Need<3> {
             Amount::Bound { until: Some(end), .. } => Some([end.sufficient, end.insufficient]),
             _ => None,
         };
-        let look = SearchExtent::Everywhere(far);
+        let (look, of) = (SearchExtent::Everywhere(far), asked.pressed_by(grasp)?);
         let safe = (safety != SafetyDeviations::NONE).then(|| {
             let record = TrialRecord::new(grasp, &asked, safety, begin).with_directions_of(&trials);
-            self::amount(&record, asked.demand, look)
+            let mut safe = self::amount(&record, asked.demand, look)?;
+            let reduction = match (&asked.sought, of.as_ref()) {
+                (Sought::Friction { .. }, _) => safety.lower[0],
+                (Sought::Squeeze | Sought::Overlaps, _) => safety.lower[1],
+                (_, Some(of)) if of.is_command => safety.lower[1],
+                _ => 0.0,
+            };
+            safe.end_before(&amount, asked.quantity().is_least(), reduction);
+            Ok(safe)
         });
         Ok(Needed {
             quantity: asked.quantity(),
@@ -100,7 +108,7 @@ impl Need<3> {
             safety: safety.load,
             is_loaded_at_rest: asked.base != Wrench::ZERO || grasp.is_loaded_at_rest(),
             force: asked.force_of_load(),
-            of: asked.pressed_by(grasp)?,
+            of,
             anticlockwise: asked.tilts_anticlockwise(grasp.space()),
             by_overlaps: asked.sought == Sought::Overlaps,
             in_place_of_squeeze: quantity == Quantity::Squeeze && !is_squeezed,

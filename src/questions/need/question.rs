@@ -145,7 +145,8 @@ impl<const C: usize> Need<C> {
         Self::of(Quantity::Squeeze, loads)
     }
 
-    /// The least coefficient of friction for these loads: the same μ for all contacts with friction. [Kinetic](crate::grasp::Contact::kinetic)
+    /// The least coefficient of friction for these loads: the same μ for all contacts with friction, or for
+    /// all contacts if none has friction. [Kinetic](crate::grasp::Contact::kinetic)
     /// coefficients keep their proportion to it.
     #[must_use]
     pub fn friction(loads: impl Into<Loads<C>>) -> Self {
