@@ -4,6 +4,7 @@ use core::fmt;
 
 use super::comparison::{Comparison, ComparisonVerdict};
 use crate::equilibrium::{ContactState, Equilibrium, WholeAnswer};
+use crate::numerics::Space;
 use crate::prelude::*;
 use crate::words::{Words, listed};
 
@@ -39,9 +40,12 @@ impl<const C: usize> fmt::Display for Comparison<C> {
             }
             ComparisonVerdict::NoEquilibrium { force, moment } => {
                 let missed = wrench(words, force, moment);
+                // Both programs have the same polygons in place of round cones, which carry a little more.
+                let cones =
+                    if words.space::<C>() == Space::Spatial { " with polygonal friction cones" } else { "" };
                 write!(
                     f,
-                    "DIFFERS: no equilibrium exists, and the minimum of energy misses the load by {missed}"
+                    "DIFFERS: no equilibrium exists{cones}, and the minimum of energy misses the load by {missed}"
                 )
             }
             ComparisonVerdict::Unknown { force, moment } => {

@@ -156,6 +156,10 @@ impl<const C: usize> Lost<C> {
         match &self.way_out {
             way if way.falls(&self.slide, words) => LossVerb::Drops,
             _ if self.takes_the_hand_along() => LossVerb::GivesWay,
+            // A motor at its limit gives way, and the object moves with it although no contact slides.
+            WayOut::SlidesOut { .. } if self.slide.is_empty() && !self.drives.is_empty() => {
+                LossVerb::GivesWay
+            }
             WayOut::LiftsOff { .. } => LossVerb::LiftsOff,
             WayOut::SlidesOut { .. } => LossVerb::SlipsOut,
             WayOut::TipsOver { .. } => LossVerb::TipsOver,
