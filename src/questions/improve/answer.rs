@@ -30,10 +30,13 @@ pub struct Improved<const C: usize> {
     /// Infinite if no contact slides however large the loads are.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<Option<f64>>"))]
     pub after: Option<f64>,
-    /// The reason why the best grasp says little, at rest or under a load of the question: a motion that is not small, or
+    /// The reason why the best grasp says little at rest, under a load of the question or at the first slip: a motion that is not small, or
     /// [buckling](TooFar::Buckles). `None`, and omitted, without one.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub too_far: Option<TooFar>,
+    /// Contacts that use all their friction at rest, so that a little less friction, or a rounded place, loses the grasp before any load.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
+    pub at_their_limit: Vec<WholeContact>,
     /// The size of the load, N, if it is a single force. The load factor of first slip times this size is the force at first slip.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub force: Option<f64>,

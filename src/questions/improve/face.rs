@@ -9,7 +9,7 @@ use crate::grasp::{Face, face_of_struct, same_on_both_sides};
 
 face_of_struct! {
     Improve { base, load, loads, any_force, at, at_most, goal, starts, steps, seed, turn, surfaces, most }
-    Improved { goal, before, after, too_far, force, contacts, in_the_way, search, residual, starts, steps }
+    Improved { goal, before, after, too_far, at_their_limit, force, contacts, in_the_way, search, residual, starts, steps }
     Placed { contact, surface, point, normal, tangent, command, moved, pressed_with, normal_force }
 }
 

@@ -9,8 +9,9 @@ use super::events::ConstraintKind;
 use super::goal::ImproveGoal;
 use super::loaded::LoadSet;
 use super::question::Improve;
-use super::tolerances::ROUNDED_MULTIPLIER;
+use super::tolerances::{AT_ITS_LIMIT, ROUNDED_MULTIPLIER};
 use crate::ask::Grasp;
+use crate::contact::WEIGHTLESS;
 use crate::equilibrium::Outcome;
 use crate::error::Error;
 use crate::grasp::{inside, outside};
@@ -130,6 +131,7 @@ impl Improve<3> {
             before,
             after: None,
             too_far: None,
+            at_their_limit: Vec::new(),
             force,
             contacts: Vec::new(),
             in_the_way: Vec::new(),
@@ -150,12 +152,23 @@ impl Improve<3> {
         let best = answer.placed_inside(&grasp)?;
         let mut whole_loads = vec![self.base()];
         if let Loads::Each(list) = &loads {
-            whole_loads.extend(mapped(list, &|load| self.base() + *load));
-        }
-        for load in whole_loads {
-            if let (Outcome::Equilibrium(state), None) = (best.solve(load)?, &answer.too_far) {
-                answer.too_far = state.too_far;
+            let first_slip =
+                answer.after.filter(|after| self.goal() == ImproveGoal::FirstSlip && after.is_finite());
+            for factor in [Some(1.0), first_slip].into_iter().flatten() {
+                whole_loads.extend(mapped(list, &|load| self.base() + *load * factor));
             }
+        }
+        for (k, load) in whole_loads.into_iter().enumerate() {
+            let Outcome::Equilibrium(state) = best.solve(load)? else { continue };
+            if k == 0 {
+                let is_at_its_limit = |i: usize| {
+                    let contact = &state.contacts[i];
+                    contact.normal_force() > WEIGHTLESS * state.largest_force()
+                        && contact.friction_used() >= 1.0 - AT_ITS_LIMIT
+                };
+                answer.at_their_limit = best.engine.wholes().with(&is_at_its_limit);
+            }
+            answer.too_far = answer.too_far.or(state.too_far);
         }
         Ok(answer)
     }

@@ -33,3 +33,9 @@ pub(super) const ROUNDED_MULTIPLIER: f64 = 1e-7;
 /// If smaller, contacts that a file gives with six digits are refused. If larger, the search would visibly displace a contact when it puts the
 /// contact on the surface.
 pub(super) const OFF_THE_SURFACE: f64 = 1e-6;
+
+/// A contact is at its limit at rest if it uses all but this part of its friction.
+///
+/// If smaller, a grasp is offered without a caution although six printed digits of its places lose it. If larger, the caution stands beside grasps that
+/// have friction left.
+pub(super) const AT_ITS_LIMIT: f64 = 1e-4;

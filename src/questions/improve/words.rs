@@ -12,6 +12,10 @@ use crate::numerics::{largest, mapped, numbered};
 use crate::prelude::*;
 use crate::words::{ALIKE_IN_WORDS, MOST_NAMES, Words, listed};
 
+/// Two contacts nearer to each other than this fraction of the size of the grasp have no room for two fingers. If smaller, fingers that touch are not
+/// mentioned; if larger, neighbouring fingers of a hand are.
+const IN_ONE_PLACE: f64 = 1e-3;
+
 impl<const C: usize> fmt::Display for Improved<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         inside(self).write(f)
@@ -31,7 +35,7 @@ impl Improved<3> {
         if let Some(far) = &self.too_far {
             write!(
                 f,
-                "{} at rest or under these loads: {}. Otherwise ",
+                "{} at rest, under these loads or before the first slip: {}. Otherwise ",
                 LossVerb::from(far),
                 far.reason(words)
             )?;
@@ -39,39 +43,53 @@ impl Improved<3> {
         let (what, one) = if is_reserve { ("RESERVE of", None) } else { ("FIRST SLIP at", self.force) };
         let unit = if is_reserve || one.is_some() { "N" } else { "times the loads" };
         let much = |value: f64| words.number(value * one.unwrap_or(1.0));
+        // A first slip before the whole load acts stands beside the size of this load.
+        let of_whole = match one.filter(|_| after < 1.0) {
+            Some(whole) => format!(" of {} N", words.number(whole)),
+            None => String::new(),
+        };
         match self.before {
             _ if after.is_infinite() => write!(f, "NEVER SLIPS, however large the loads are")?,
             Some(before) if after <= before * (1.0 + ALIKE_IN_WORDS) => {
-                write!(f, "{what} {} {unit}, and nothing better was found", much(after))?;
+                write!(f, "{what} {} {unit}{of_whole}, and nothing better was found", much(after))?;
             }
             Some(before) => {
-                write!(f, "{what} {} {unit} instead of {} {unit}", much(after), much(before))?;
+                write!(f, "{what} {} {unit}{of_whole} instead of {} {unit}", much(after), much(before))?;
             }
             None if is_reserve => write!(f, "{what} {} {unit} instead of sliding", much(after))?,
-            None => write!(f, "{what} {} {unit} instead of sliding at rest", much(after))?,
+            None => write!(f, "{what} {} {unit}{of_whole} instead of sliding at rest", much(after))?,
         }
         let changes = self.changes_text(words);
         if !changes.is_empty() {
             write!(f, ": {changes}")?;
         }
         write!(f, ". {}", self.proof(words))?;
-        let mut at_the_limit = Vec::new();
-        for way in self.in_the_way.iter().filter(|way| matches!(way.binds, ActiveConstraintKind::Rest { .. }))
-        {
-            let name = way.contact.text();
-            if !at_the_limit.contains(&name) {
-                at_the_limit.push(name);
+        if !self.at_their_limit.is_empty() {
+            let are = if self.at_their_limit.len() == 1 { "is" } else { "are" };
+            write!(
+                f,
+                ". CAUTION: at rest {} {are} at the limit of friction; with any less friction, or with places rounded as here, it slips or is lost before any load",
+                listed(&self.at_their_limit)
+            )?;
+        }
+        if let Some([one, other]) = self.in_one_place() {
+            write!(f, ". CAUTION: {one} and {other} are in one place; give each a surface of its own")?;
+        }
+        Ok(())
+    }
+
+    /// The first two contacts that the search has placed so near each other that two fingers have no room, if there are any.
+    fn in_one_place(&self) -> Option<[String; 2]> {
+        let size = largest(&self.contacts, &|placed| (placed.point - self.contacts[0].point).norm());
+        for (k, one) in self.contacts.iter().enumerate() {
+            let is_near = |other: &&Placed<3>| (one.point - other.point).norm() <= IN_ONE_PLACE * size;
+            if let Some(other) =
+                self.contacts[k + 1..].iter().find(is_near).filter(|other| one.moved + other.moved > 0.0)
+            {
+                return Some([one.contact.text().into_owned(), other.contact.text().into_owned()]);
             }
         }
-        if at_the_limit.is_empty() {
-            return Ok(());
-        }
-        let are = if at_the_limit.len() == 1 { "is" } else { "are" };
-        let names = listed(&at_the_limit);
-        write!(
-            f,
-            ". CAUTION: at rest {names} {are} at the limit of friction; with less it slips before any load"
-        )
+        None
     }
 
     /// The clause about the changes of places and squeezes: "left moves 3.1 mm along its edge, right 2 mm along its circle; both `pressed_with` 10
