@@ -1,7 +1,8 @@
 //! Tolerances of the solvers of frictional contact problems.
 //!
-//! All tolerances are without units: forces are compared with forces, and velocities with the terms of W r + q that add up to them. ε = 2⁻⁵². Limits
-//! for problems that are dominated by rounding are in `lcp::tolerances`.
+//! All tolerances are without units: forces are compared with forces, and relative velocities `W r + q` with their terms. Here r are the contact
+//! forces, W is the matrix from forces to velocities, and q are the velocities without contact forces. ε = 2⁻⁵². Limits for problems that are
+//! dominated by rounding are in `lcp::tolerances`.
 
 /// Residual, relative to the norm of its terms, at which a round of anchored Newton steps (with a proximal term) has converged.
 ///

@@ -75,8 +75,9 @@ impl<'g> PiecewiseFollower<'g> {
         reached.iter().any(|(i, _)| is_weaker(*i) && self.node.at.forces[*i].norm() <= NEGLIGIBLE * largest)
     }
 
-    /// Puts contacts in `reached` (the contacts whose present states end here) at the apex of their cones, as if they had no force, if almost no
-    /// force is left. The neglected force, divided by the largest force, is added to the step error.
+    /// Puts contacts in `reached` (the contacts whose present states end here) at the apex of their cones, as if they had no force, if their force is
+    /// at most the fraction `NEGLIGIBLE` of the largest force on the path so far. The neglected force, divided by the largest force, is added to the
+    /// step error.
     pub(super) fn put_at_apex(&mut self, reached: &ExitsReached) {
         let largest = self.segment.largest;
         for (i, _) in reached {

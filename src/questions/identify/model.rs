@@ -302,8 +302,8 @@ impl SlipToPredict<'_> {
     }
 
     /// The derivatives of the logarithm of a predicted load factor or angle with respect to the logarithms of all unknowns, in order. `by` returns
-    /// the derivative for the kind, index and value of an unknown. The derivatives with respect to unknowns of other layouts are zero. `None` if one
-    /// derivative is not known or not finite.
+    /// the derivative with respect to one unknown, given its kind (friction, carried force, squeeze or stiffness), index and value. The derivatives
+    /// with respect to unknowns of other layouts are zero. `None` if one derivative is not known or not finite.
     pub(super) fn by_unknowns(
         &self,
         by: &dyn Fn(UnknownKind, usize, f64) -> Option<f64>,

@@ -212,8 +212,8 @@ impl Loading {
         Ok(Trials { held: is_held.then_some(held), sticks: Some(sticks), at_rest: kinds })
     }
 
-    /// The verdict on a ramp, with facts about its load path. The path is followed only up to `least`, the multiple up to which another load is
-    /// carried, because only the load carried least matters.
+    /// The verdict on a ramp, and data of its load path: the number of jumps, the largest motion relative to its limit, and the equilibrium at rest.
+    /// The path is followed only up to `least`, the multiple up to which another load is carried, because only the load carried least matters.
     pub(super) fn put_on_up_to(
         &self,
         ramp: &Ramp<3>,
@@ -330,7 +330,8 @@ impl Loading {
                 Onset::NoBase(none) => Trial::insufficient(self.said(none), NOT_AT_REST),
             });
         }
-        // The path begins with the load in place. If it cannot be put on from rest, no angle is reached.
+        // The path begins at angle zero, with the load acting in full. If the grasp does not hold this load as it grows from zero, no angle is
+        // reached.
         let put_on = self.grasp.hold(turn.load_at(0.0))?;
         if put_on.holds() == Some(false) {
             return Ok(Trial::nothing(self.said(&put_on)));

@@ -141,8 +141,8 @@ impl Needed {
         self.amounts_tried(f, *tried)
     }
 
-    /// Writes that all amounts tried on the harder side (less squeeze, more load) are sufficient, `to` being the last. `until` is the last sufficient
-    /// amount on the other side, if there is one.
+    /// Writes that all amounts tried on the harder side (less squeeze, more load) are sufficient, `to` being the last. `until` is the far end, the
+    /// last sufficient amount on the easier side. `None` if all amounts tried on that side are sufficient.
     fn any(
         &self,
         f: &mut fmt::Formatter<'_>,
@@ -340,8 +340,8 @@ impl Needed {
         format!("from {from} to {to}, where motions cease to be small")
     }
 
-    /// The text between the amount and the safe amount: a line break, or "; " if the safe amount is for larger loads. The user has then asked for it
-    /// with a factor of safety, so that it belongs to the first line.
+    /// The text between the amount and the safe amount: a line break, or "; " if the safe amount is for larger loads. A factor of safety on loads is
+    /// given by the user, so that the safe amount belongs to the first line.
     fn before_safe(&self) -> &'static str {
         if self.safety == 1.0 { LINE } else { "; " }
     }
