@@ -10,7 +10,8 @@
 pub(super) const ROUND_CONVERGED: f64 = 1e-14;
 
 /// If the residual of forces is below this number, final Newton steps without a proximal term (the polish) follow. Newton steps with a proximal term
-/// then also weigh residuals relative to each contact's own force and velocity, not as energies.
+/// then divide the residual of each contact by the size of its own force and velocity, so that contacts with small forces count as much as others.
+/// Above this number residuals are weighed as energies.
 ///
 /// If smaller, more rounds with a proximal term are made than necessary; if larger, the final Newton steps start where they do not converge.
 pub(super) const WORTH_POLISHING: f64 = 1e-6;

@@ -66,8 +66,9 @@ impl<'g> PiecewiseFollower<'g> {
         }
     }
 
-    /// Whether some contact in `reached` (the contacts whose present states end here) has kinetic friction and almost no contact force left. As the
-    /// force of such a contact decreases to zero, it alternately sticks and slips infinitely often, which steps cannot follow.
+    /// Whether some contact in `reached` (the contacts whose present states end here) has kinetic friction and no contact force left, up to a
+    /// fraction 1e-9 of the largest force on the path. As the force of such a contact decreases to zero, it alternately sticks and slips infinitely
+    /// often, which steps cannot follow.
     pub(super) fn runs_out(&self, reached: &ExitsReached) -> bool {
         let largest = self.segment.largest;
         let is_weaker = |i: usize| self.segment.problem.sites[i].kinetic.is_some();

@@ -189,8 +189,8 @@ impl<'g> EnergyProgram<'g> {
     }
 
     /// Makes the binding friction constraints hold as equalities, N x = 0. On entry `forces` balance the load without regard to these constraints (x'
-    /// in energy coordinates); on return they satisfy them. `multipliers` receive the multipliers λ. Returns the change of the motion, in the
-    /// coordinates of the active springs. `None` if constraints are linearly dependent.
+    /// in energy coordinates); on return they satisfy them. `multipliers` receive the multipliers λ. Returns the change of the motion q as p = R q,
+    /// with the triangular factor R of the active springs. `None` if constraints are linearly dependent.
     ///
     /// The normal springs of open gaps are removed. The normal component x_n at such a contact is determined by the multipliers λ alone,
     /// `x_n = (Nᵀλ)_n`. Let Q be the orthogonal factor of the active springs, N_n the columns of N for these normal components, and `M = [N Q, N_n]`.

@@ -36,9 +36,9 @@ pub(super) struct LayoutGuess {
 /// The reason why the model predicts no load or angle for a slip.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum PredictionFailure {
-    /// The object holds however far the load goes: friction, or the squeeze, is too large for the observed slip.
+    /// The grasp holds however far the load grows: friction, or the squeeze, is too large for the observed slip. The text is the reason as a clause.
     HoldsTooWell(&'static str),
-    /// A contact slides, or the object is lost, before the load grows: friction, or the squeeze, is too small.
+    /// A contact slides, or the object is lost, before the load grows: friction, or the squeeze, is too small. The text is the reason as a clause.
     HoldsTooLittle(&'static str),
 }
 

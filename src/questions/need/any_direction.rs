@@ -177,7 +177,8 @@ impl Loading {
             }
         }
         match weakest {
-            // The weakest direction near this one, in which the force is not held, is sought. Trials of other amounts begin with it.
+            // The force is not held in this direction. The weakest direction near it is sought, because trials of other amounts begin with the
+            // weakest direction found.
             Some((direction, trial)) if !trial.is_sufficient() => {
                 let (direction, trial) =
                     self.weakest_near((direction, first_step(self.grasp.space())), along, trial)?;

@@ -201,8 +201,8 @@ impl Loading {
             let wanted = if demand == Demand::Sticks { &sticks } else { &held };
             if let Trial::Insufficient { .. } = wanted {
                 refuting.first.set(which);
-                // A load that is not held also makes something slide. If something slides before all loads were applied, it is not known whether all
-                // loads are held.
+                // The loop ends here. If this load is not held, the loads together are not held. If it is held, but a contact slides under it, later
+                // loads were not tried, and whether all are held is not known (`None`).
                 let held = (!held.is_sufficient() || k + 1 == ramps.len()).then_some(held);
                 return Ok(Trials { held, sticks: Some(sticks), at_rest: kinds });
             }
@@ -267,8 +267,9 @@ impl Loading {
         trial
     }
 
-    /// The result of a trial, from its verdict. `other` is a second margin. For [`Demand::Held`] it is 1 less the largest ratio of a motion to its
-    /// limit of small motions. For [`Demand::Sticks`] it is the margin of sticking at rest, as a fraction of the largest contact force.
+    /// The result of a trial, from its verdict. `other` is a second measure of the distance from the bound: positive if the amount is sufficient,
+    /// zero at the bound. For [`Demand::Held`] it is 1 less the largest ratio of a motion to its limit of small motions. For [`Demand::Sticks`] it is
+    /// the margin of sticking at rest, as a fraction of the largest contact force.
     pub(super) fn judged(&self, (verdict, other): (&Verdict<3>, f64), demand: Demand) -> Trial {
         let sufficient = match demand {
             Demand::Sticks => verdict.sticks(),

@@ -223,11 +223,13 @@ pub(super) fn search(
             }
         }
     }
-    // The ratio of successive amounts. With a larger ratio than 2, narrow intervals of sufficient amounts would be missed.
+    // The ratio of successive amounts. With a larger ratio than 2, narrow intervals of sufficient amounts would be missed. A search that need not go
+    // everywhere tries fewer amounts, farther apart.
     let factor = if plan.everywhere { 2.0 } else { FAR_APART };
     let begin = first.0;
     // If the start is insufficient because its squeeze moves the object too far, a smaller squeeze may be sufficient. Therefore harder amounts (less
-    // squeeze, more load) are tried, too, unless a greatest amount is sought and `is_monotone`.
+    // squeeze, more load) are tried, too. They are not tried if a greatest amount is sought and every amount easier than a sufficient one is known to
+    // be sufficient (`is_monotone`).
     let may_be_less = plan.everywhere && (plan.is_least || !plan.is_monotone);
     for (up, is_asked) in [(more, true), (!more, may_be_less)] {
         if is_asked && let Some(sufficient) = first_sufficient(tries, plan, (begin, up, factor), &mut vain)? {

@@ -98,8 +98,8 @@ impl<'g> SteppedFollower<'g> {
             (to.forces[i] - at_once.forces[i]).norm() / largest / allowed
         };
         let used = (0..to.forces.len()).map(part).fold(0.0, f64::max);
-        // The error that both forms of the step have in common may be a tenth of the allowed error. So much is allowed because a contact makes such
-        // an error only a few times on a leg.
+        // The error that both forms of the step have in common may be a tenth of the allowed error. This is far more than the share of one step, and
+        // is allowed because a contact makes such an error only a few times on a leg, when it starts or stops sliding, opens or closes.
         used.max(twice.shared_error / (0.1 * self.error).max(rounding))
     }
 
