@@ -29,8 +29,8 @@ pub(super) const STARTS: [(usize, f64); 4] = [(200, 1e-2), (20, 1.0), (1000, 1e-
 /// The caller's function that receives the progress and may stop the solve.
 pub(super) type Watcher<'a> = dyn FnMut(&SolveProgress<'_>) -> ControlFlow<()> + 'a;
 
-/// A solve of one island by the methods of this file, with the best forces so far. An island is a set of contacts that the matrix W couples,
-/// directly or through other contacts.
+/// A solve of one island by the methods of this file, with the best forces so far. An island is a set of contacts that the matrix W from contact
+/// forces to relative velocities couples, directly or through other contacts.
 pub(super) struct IslandSolve<'a, 'w, const C: usize> {
     problem: &'a FrictionProblem<C>,
     blocks: &'a Blocks<C>,

@@ -11,7 +11,7 @@ use crate::prelude::*;
 use nalgebra::{DVector, SVector};
 
 /// Updates the force of every contact once. Returns the relative change of the forces, √(Σ Δrᵀ A Δr / Σ rᵀ A r), summed over the contacts. Here r is
-/// a contact's force, Δr its change, and A the contact's diagonal block of the matrix W.
+/// a contact's force, Δr its change, and A the contact's diagonal block of the matrix W from contact forces to relative velocities.
 pub(super) fn sweep<const C: usize>(
     problem: &FrictionProblem<C>,
     blocks: &Blocks<C>,

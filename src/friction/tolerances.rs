@@ -1,7 +1,8 @@
 //! Tolerances of the solvers of frictional contact problems.
 //!
-//! All tolerances are without units: forces are compared with forces, and velocities with the terms of W r + q that add up to them. ε = 2⁻⁵². Limits
-//! for problems that are dominated by rounding are in `lcp::tolerances`.
+//! All tolerances are without units: forces are compared with forces, and relative velocities `W r + q` with their terms. Here r are the contact
+//! forces, W is the matrix from forces to velocities, and q are the velocities without contact forces. ε = 2⁻⁵². Limits for problems that are
+//! dominated by rounding are in `lcp::tolerances`.
 
 /// Residual, relative to the norm of its terms, at which a round of anchored Newton steps (with a proximal term) has converged.
 ///
@@ -9,7 +10,8 @@
 pub(super) const ROUND_CONVERGED: f64 = 1e-14;
 
 /// If the residual of forces is below this number, final Newton steps without a proximal term (the polish) follow. Newton steps with a proximal term
-/// then also weigh residuals relative to each contact's own force and velocity, not as energies.
+/// then divide the residual of each contact by the size of its own force and velocity, so that contacts with small forces count as much as others.
+/// Above this number residuals are weighed as energies.
 ///
 /// If smaller, more rounds with a proximal term are made than necessary; if larger, the final Newton steps start where they do not converge.
 pub(super) const WORTH_POLISHING: f64 = 1e-6;

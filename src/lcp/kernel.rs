@@ -1,6 +1,7 @@
 //! Inner loops of a pivot, in a form that the compiler vectorises (see [`crate::numerics::wide`]). A dictionary is the condensed tableau of one
-//! basis, of which only the columns a_j of nonbasic slacks are stored. A pivot with the entering column u adds g_j u to each a_j. The next entering
-//! column is the given vector y minus Σ_j c_j a_j.
+//! basis, of which only the columns a_j of nonbasic slacks are stored. A pivot with the entering column u adds g_j u to each a_j, with a coefficient
+//! g_j for each column. The next entering column is the given vector y minus Σ_j c_j a_j, where y and the c_j are entries of one column of the
+//! problem's matrix.
 
 use crate::numerics::{Each, Loop};
 

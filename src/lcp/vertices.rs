@@ -4,7 +4,8 @@
 //! not empty, it has a vertex: a point where k components of M z + q are zero and at most k entries of z are nonzero.
 //!
 //! A Farkas vector is a y ≥ 0 with Mᵀy ≤ 0 and qᵀy < 0. It proves that no z ≥ 0 satisfies M z + q ≥ 0. The vectors y ≥ 0 with Mᵀy ≤ 0 form a cone,
-//! and if Farkas vectors exist, some edge of this cone is one. Each vertex or edge is the solution of a small regular system, balanced separately.
+//! and if Farkas vectors exist, some edge of this cone is one. Each vertex or edge is the solution of a small regular system, whose rows and columns
+//! are scaled for this system alone.
 
 use super::farkas::cleaned;
 use super::linear_program::MARGINS;

@@ -11,7 +11,8 @@ use super::numbers::{Computed, Given, Kind, Number};
 use super::rows::AxisRow;
 use crate::numerics::{mapped, moved};
 
-/// A value that consists of numbers of kind `K`: a number, a row with one number per axis, or a list or option of such values.
+/// A value that consists of numbers: a number, a row with one number per axis, or a list or option of these. The type `K` says which numbers are
+/// accepted: [`Given`] finite ones of moderate size, [`Computed`] any.
 pub(crate) trait Numeric<K>: Sized {
     type Written: Serialize + DeserializeOwned;
     fn write(&self) -> Self::Written;
@@ -58,7 +59,7 @@ impl<K, T: Numeric<K>> Numeric<K> for Vec<T> {
     }
 }
 
-/// The text form of a field of type `T` that consists of numbers of kind `K`.
+/// The text form of a field of type `T` that consists of numbers. The type `K` says which numbers are accepted, see [`Numeric`].
 pub(crate) struct As<K, T>(PhantomData<(K, T)>);
 
 /// The text form of a field that the user gives, in a scene or a question: finite numbers of moderate size.

@@ -90,7 +90,8 @@ impl Words {
         Self { rounding: Rounding::Down, ..self }
     }
 
-    /// The number `x`, moved by almost half of its last digit, so that its nearest decimal is `x` rounded in the direction of this format.
+    /// The number `x`, moved by almost half of its last written digit, so that its nearest decimal is `x` rounded in the direction of this format.
+    /// `magnitude` is the decimal exponent of the first digit of `x`: 2 for 345.
     fn directed(self, x: f64, magnitude: f64) -> f64 {
         let half_of_last_digit = 0.5 * 10.0_f64.powf(magnitude + 1.0 - self.digits as f64);
         let moved = (half_of_last_digit - ROUNDING * x.abs()).max(0.0);

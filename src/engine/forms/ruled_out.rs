@@ -1,5 +1,6 @@
-//! A quick test that excludes contact states which clearly violate a complementary pair of the kinematic form. The pairs of the form need not
-//! include all contacts. Only a solution with all contacts shows whether the states that the test does not exclude satisfy every condition.
+//! A quick test that excludes contact states which clearly violate a complementary pair of the kinematic form. In this complementarity problem the
+//! unknowns are gaps and slips, and the slacks are normal forces and friction margins `μ F_n - h·F_t` at facets with normals h. The pairs of the form
+//! need not include all contacts. Only a solution with all contacts shows whether the states that the test does not exclude satisfy every condition.
 
 use crate::numerics::{matrix_of, vector_of};
 

@@ -34,7 +34,7 @@ pub struct LegEnergy {
     pub dissipated: f64,
     /// Sum of the absolute values of all works, stored energies and heats of all pieces and contacts, J. Works of opposite signs cancel in the
     /// balance, so its rounding error is proportional to this sum. If directions of sliding turn on the round cone, the stored energies before and
-    /// after each step are summands. Their change is computed as a difference. Not serialised.
+    /// after each step are summands, because their change is computed as a difference. Not serialised.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub turnover: f64,
 }

@@ -272,8 +272,8 @@ impl Node {
     }
 }
 
-/// Changes the state of contacts of `found` from sticking to sliding if sticking would let their force leave the round cone along a tangent of the
-/// cone, see [`LocalLaw::grazes`](crate::contact::LocalLaw::grazes).
+/// Changes the state of contacts of `found` from sticking to sliding if their force, on the edge of the round cone, moves along a tangent of the
+/// cone. A straight tangent leads out of a round cone, so that the contact cannot stick, see [`LocalLaw::grazes`](crate::contact::LocalLaw::grazes).
 fn slide_where_they_graze(rates: &Problem, found: &mut SearchSolution) {
     let largest = found.forces.iter().map(Matrix::norm).fold(rates.wrench.norm(), f64::max);
     for (i, state) in found.states.iter_mut().enumerate() {

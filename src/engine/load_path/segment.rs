@@ -1,8 +1,9 @@
 //! A segment describes one leg (section) of a load program, a ramp or a turn: the load and the spring offsets of contacts (commanded displacement
 //! minus clearance and slip) as functions of the load factor. The load changes linearly or turns, and commands change linearly. While contacts keep
-//! their states, forces and motions are linear functions, too, or harmonics of the load's angle. A piece is a part of a leg with fixed contact
-//! states. Along an arc, a piece on which directions of sliding turn, arclength takes the place of the load factor. The rate problem is the
-//! complementarity problem for the rates of forces and motion. A drive, the spring of a joint or tendon of a hand, is treated like a contact.
+//! their states (sticking, sliding or open), forces and motions are linear functions, too, or harmonics of the load's angle. A piece is a part of a
+//! leg with fixed contact states. Along an arc, a piece on which directions of sliding turn, arclength takes the place of the load factor. The rate
+//! problem is the complementarity problem for the rates of forces and motion. A drive, the spring of a joint or tendon of a hand, is treated like a
+//! contact.
 
 use nalgebra::{Matrix, SVector};
 
@@ -48,7 +49,8 @@ pub(super) struct PathPoint {
     pub(super) neutral_motions: Vec<Vector>,
     /// The factorised linear problem for forces and twist while contacts keep their states.
     pub(super) linear_problem: alloc::sync::Arc<LinearProblem>,
-    /// On an arc, the terms of its equation `T q' = b λ'` from contacts that do not slide. All points of the arc share them.
+    /// On an arc, the terms of its equation `T q' = b λ'` from contacts that do not slide. T is the tangent stiffness for the twist q, and b the
+    /// force per unit of the load factor λ; see `arc`. All points of the arc share these terms.
     pub(super) fixed: SharedTerms,
     pub(super) gaps: Vec<GapLine>,
     /// Largest force (N) and displacement (m) among the terms whose sums are the forces and displacements of this point. Rounding errors are
@@ -141,6 +143,8 @@ impl<'g> Segment<'g> {
     }
 
     /// The proof that no equilibrium exists beyond a load factor: nothing resists the motion `motion`, along which the rate of the load does work.
+    /// `None` if there is no such motion, but sliding contacts push only in directions that cannot balance the load; the proof then has the motion
+    /// zero.
     pub(super) fn unbalanced(&self, factor: f64, motion: Option<Vector>) -> NoEquilibrium<3> {
         let v = motion.unwrap_or_else(Vector::zeros);
         let work = v.dot(&self.trajectory.rate_at(factor));
@@ -212,8 +216,9 @@ impl<'g> Segment<'g> {
         }
     }
 
-    /// Forces and twist at a load factor. They are solved for anew, since extrapolation from another load factor would add the rounding errors
-    /// of larger terms. If no spring resists some motion, the twist is the solution nearest to `near`. `None` if forces cannot balance the load.
+    /// Forces and twist at a load factor. They are computed from the load and the offsets at this factor. Extrapolation from another load factor
+    /// would keep rounding errors proportional to the forces there, which may be larger. If no spring resists some motion, the twist is the solution
+    /// nearest to `near`. `None` if forces cannot balance the load.
     pub(super) fn state(
         &self,
         linear_problem: &LinearProblem,

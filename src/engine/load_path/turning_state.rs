@@ -27,8 +27,8 @@ impl TurningState {
         ForcesAndTwist { forces, twist: self.twist.at(angle) - self.twist.at(0.0) }
     }
 
-    /// The first point, within the change `rest` of the load factor, at which one of the contact states `states` ends. Also the edges of cones that
-    /// forces touch before this point.
+    /// The first point, within the change `rest` of the load factor, at which one of the contact states `states` ends. The result also lists the
+    /// edges of cones that forces touch, without crossing them, before this point.
     pub(super) fn first_exits(&self, problem: &Problem<'_>, states: &[State], rest: f64) -> FirstExits {
         let (mut ways, mut touches) = (Vec::new(), Vec::new());
         for (i, ((local, state), [force, stretch])) in

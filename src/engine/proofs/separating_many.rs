@@ -104,7 +104,8 @@ pub(super) fn residual_of_many(problem: &Problem, is_proof: &dyn Fn(&Vector) -> 
         let least = 1e-14;
         let enough = if proof.is_some() { least } else { (1e-3 / pushed.penalty).max(least) };
         let Some(left) = pushed.round(&mut v, enough) else { break };
-        // A residual (the part of the load that no contact forces balance) below this fraction of the load is taken as zero.
+        // A residual (the part of the load that no contact forces balance) below this fraction of the load is taken as zero. It is smaller than the
+        // imbalance of up to 1e-4 of the load (1e-3 / ρ) with which the first round ends.
         if left < 1e-5 {
             return Residual::Nothing;
         }

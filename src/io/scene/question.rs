@@ -88,7 +88,7 @@ pub enum Question<const C: usize> {
         /// The legs of the load program.
         legs: Vec<Leg<C>>,
         /// Error that each leg may add to forces, relative to the largest force, from 1e-9 to 1. The path is then followed in steps, which suits
-        /// hundreds of contacts. If left out, every event is found.
+        /// hundreds of contacts. If left out, every change of the state of a contact is found.
         #[serde(default, with = "AsGiven::<Option<f64>>", skip_serializing_if = "Option::is_none")]
         in_steps: Option<f64>,
     },

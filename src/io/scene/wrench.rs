@@ -117,7 +117,8 @@ impl<'de, const C: usize> Deserialize<'de> for Wrench<C> {
                 let force: SVector<f64, 3> = by_axis(force);
                 points = Some(PointsOfAction::of(&force, &at.into()));
                 let through = Space::Spatial.wrench_of(&at.into(), &force);
-                // `through` has six components, the last three of which are moments. In the plane only the very last counts, the moment about z.
+                // `through` is the wrench of the force at the point `at`. It has six components, the last three of which are moments. In the plane
+                // only the very last counts, the moment about z.
                 let object = space.of_the_object();
                 for k in axes..object {
                     wrench[k] += through[6 + k - object];
@@ -135,7 +136,8 @@ impl<'de, const C: usize> Deserialize<'de> for Wrench<C> {
             if let Some(points) = points {
                 wrench = wrench.acting_at(points);
             }
-            // The weight and inertia of a carried body are added only if there is such a body: adding a zero wrench would change -0 to 0.
+            // The weight and inertia of a body that an arm carries are added only if the wrench has a `mass`: adding a zero wrench would change -0 to
+            // 0.
             Ok(carried.load_in(space)?.map_or(wrench, |pull| wrench + Self::from_inside(pull)))
         })
     }

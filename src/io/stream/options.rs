@@ -27,8 +27,8 @@ pub struct StreamOptions {
     pub most_points: usize,
     /// Largest number of combinations of contact states that a scene may try, even if its settings allow more. 20 000 by default.
     pub most_states: usize,
-    /// Largest number of integration steps within a leg of a load path, even if the settings of a scene allow more. Steps are needed on the pieces on
-    /// which slip directions turn. 20 000 by default.
+    /// Largest number of integration steps within a leg of a load path, even if the settings of a scene allow more. Steps are needed along parts of
+    /// the path on which slip directions turn. 20 000 by default.
     pub most_steps: usize,
     /// For tests of panics: answering a scene panics if its line number is a multiple of this number; 0 for no panics.
     #[doc(hidden)]

@@ -85,8 +85,8 @@ impl LocalLaw<'_> {
         most
     }
 
-    /// The friction force at μ F_n = 1 with the largest component along the vector `along`. On the round cone its direction lies in `sector`; on a
-    /// polygonal cone it is a corner, in whatever sector.
+    /// The friction force at μ F_n = 1 with the largest component along the vector `along`. On the round cone its direction lies in `sector`, the
+    /// range of directions that the label allows. On a polygonal cone it is a corner of the polygon, whatever the sector.
     fn most_along(&self, sector: &Sector, along: &SVector<f64, 3>) -> SVector<f64, 3> {
         if self.on_round_cone {
             return sector.most_along(along);

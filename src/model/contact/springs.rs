@@ -5,7 +5,7 @@
 //! Let k_a be the stiffness along axis a of the contact frame and e_a the unit vector of this axis; n marks the normal. K_t is the diagonal matrix of
 //! the tangential stiffnesses, and μ the coefficient of friction. A sliding contact has a normal spring whose force F_n is accompanied by the
 //! friction force μ F_n p. The vector p is a corner of the polygonal cone, or follows from the normal h of a facet. On the round cone h is the slip
-//! direction.
+//! direction, and `S = (K_t⁻¹ + λ)⁻¹` is K_t softened by the slip per friction force λ.
 //!
 //! ```text
 //! F_i = Σ_r push_r (stretch_r · v_i),     v_i = a_i - G_iᵀq

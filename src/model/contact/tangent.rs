@@ -6,9 +6,9 @@
 //! sliding     C = k_n (e_n + μ P) e_nᵀ + κ d dᵀ
 //! ```
 //!
-//! While the contact slides, the normal spring also changes the friction force, and a spring acts across the slip; P, κ and d are defined at
-//! [`Edge`]. A sum over many contacts adds the dyads one by one. Each contact has at most as many dyads as C has columns, and each dyad costs one
-//! multiplication per entry.
+//! While the contact slides, the normal spring also changes the friction force, and a spring acts across the slip. P is the ratio of the friction
+//! force to μ F_n, d the tangent across the slip, and κ the stiffness of that spring, see [`Edge`]. A sum over many contacts adds the dyads one by
+//! one. Each contact has at most as many dyads as C has columns, and each dyad costs one multiplication per entry.
 
 use nalgebra::{SMatrix, SVector};
 

@@ -35,7 +35,7 @@ impl<const C: usize> Grasp<C> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Wrench`] if a load, [`Error::Argument`] if another number of the set is out of range or the set is empty.
+    /// [`Error::Wrench`] if a load is out of range. [`Error::Argument`] if another number of `loads` is out of range, or if `loads` is empty.
     /// [`Error::NotForHands`] for a grasp by a hand.
     #[doc(alias = "grip force", alias = "clamp preload", alias = "gripping force")]
     pub fn least_squeeze(&self, loads: &Loads<C>) -> Result<LeastSqueeze<C>, Error> {
@@ -49,9 +49,9 @@ impl<const C: usize> Grasp<C> {
     /// contact forces `F⁰ + A x`. Here A is the influence matrix of the grasp and a the row of the facet, whose condition is `a·F >= 0`. The shortest
     /// x that breaks it lies along `-Aᵀa` and has the size `a·F⁰ / |Aᵀa|`.
     ///
-    /// The round cone has a facet at every angle φ, and the least force over all φ is sought. A force of size s breaks no condition as long as a
-    /// trigonometric polynomial in φ is nowhere negative, see [`squeeze`](crate::squeeze). All its sign changes are found. The result is therefore
-    /// the least of all minima, up to rounding.
+    /// The round cone has a facet at every angle φ, and the least force over all φ is sought. At every φ a force of size s must not break the
+    /// condition, i.e. `a·F⁰ - s |Aᵀa| >= 0`. The squares of both terms are trigonometric polynomials in φ, see [`squeeze`](crate::squeeze). All sign
+    /// changes of their difference are found. The result is therefore the least of all minima, up to rounding.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, WeakestDirection, Wrench};
@@ -67,7 +67,7 @@ impl<const C: usize> Grasp<C> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Wrench`] if the base load, [`Error::Argument`] if the point is not finite or beyond 1e50.
+    /// [`Error::Wrench`] if the base load is not finite or beyond 1e50, [`Error::Argument`] if the point is not finite or beyond 1e50.
     pub fn weakest_direction(
         &self,
         base: impl Into<Wrench<C>>,

@@ -97,8 +97,9 @@ impl<const C: usize> Statics<'_, C> {
             .map(outside)
     }
 
-    /// The measure ε of Ferrari and Canny: the size, N, up to which contact forces within a budget balance loads of every direction. It is computed
-    /// with the default [`WrenchScale`] and [`Settings`](crate::Settings): on the round cone in space.
+    /// The measure ε of Ferrari and Canny: the size, N, up to which contact forces within a budget balance loads of every direction. Moments count as
+    /// forces after division by a length, see [`WrenchScale`]. By default this length is the largest distance of a contact from the centroid of the
+    /// contacts, about which moments are taken. Friction cones in space are round unless the settings ask for polygons.
     ///
     /// Pulls of suction cups are not part of the budget. A load counts as balanced if contact forces within the budget, together with these pulls,
     /// balance it.
@@ -126,8 +127,9 @@ impl<const C: usize> Statics<'_, C> {
         self.ferrari_canny_scaled(budget, &WrenchScale::of(self.0.contacts()))
     }
 
-    /// [`Statics::ferrari_canny`](crate::ask::Statics::ferrari_canny) with another scale of moments.
-    /// [`Settings::most_steps`](crate::Settings::most_steps) limits the number of support points.
+    /// [`Statics::ferrari_canny`](crate::ask::Statics::ferrari_canny) with another point about which moments are taken, and another length by which
+    /// they are divided. The set of wrenches is approximated from points on its boundary; [`Settings::most_steps`](crate::Settings::most_steps)
+    /// limits their number.
     ///
     /// # Errors
     /// As for [`Statics::ferrari_canny`](crate::ask::Statics::ferrari_canny); [`Error::Argument`] for a scale whose point or length is out of range.

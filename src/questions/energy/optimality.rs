@@ -1,10 +1,10 @@
 //! The optimality conditions of the quadratic program of minimum energy on orthogonal factors, and their solution.
 //!
 //! Let K be the stiffness, a the offsets of the contacts, G the grasp map and q the motion of the object. The offset is the command (displacement of
-//! the finger without the object) less the clearance. A = K^{1/2}Gᵀ has an orthogonal factor Q and a triangular factor R, A = QR, and Π = QQᵀ. The
-//! state in which everything sticks has the motion q⁰ and, in energy coordinates, the forces x⁰ = K^{1/2}(a - Gᵀq⁰). Scaled gaps ĝ = √k_n g, with the
-//! gaps g and normal stiffnesses k_n, act along the columns of E. The rows of the friction constraints N x >= 0 have unit length. The quadratic
-//! program is
+//! the finger without the object) less the clearance. A = K^{1/2}Gᵀ has an orthogonal factor Q and a triangular factor R, A = QR, and Π = QQᵀ. Energy
+//! coordinates x = K^{-1/2} F replace the contact forces F. The state in which everything sticks has the motion q⁰ and, in these coordinates, the
+//! forces x⁰ = K^{1/2}(a - Gᵀq⁰). Scaled gaps ĝ = √k_n g, with the gaps g and normal stiffnesses k_n, act along the columns of E. The rows of the
+//! friction constraints N x >= 0 have unit length. The quadratic program is
 //!
 //! ```text
 //! minimise ½|p|² - pᵀQᵀE ĝ + ½|ĝ|² + x⁰ᵀE ĝ      x = x⁰ - Q p + E ĝ,   p = R (q - q⁰)
@@ -151,8 +151,8 @@ impl<'g> EnergyProgram<'g> {
     }
 
     /// The candidate for the minimum with these open gaps and binding friction constraints. `None` if binding constraints are linearly dependent, or
-    /// the active springs do not resist the load. The active springs may leave motions free; then the motion of least norm is taken. If a gap is
-    /// negative there, a free motion is added: that part of `near`, the motion in Lemke's solution, which stretches no active spring.
+    /// the active springs do not resist the load. The active springs may leave motions free; then the motion of least norm is taken. If this motion
+    /// makes a gap negative, a free motion is added: the part of `near`, the motion in Lemke's solution, that stretches no active spring.
     pub(super) fn on_faces(
         &self,
         faces: &Faces,
@@ -189,8 +189,8 @@ impl<'g> EnergyProgram<'g> {
     }
 
     /// Makes the binding friction constraints hold as equalities, N x = 0. On entry `forces` balance the load without regard to these constraints (x'
-    /// in energy coordinates); on return they satisfy them. `multipliers` receive the multipliers λ. Returns the change of the motion, in the
-    /// coordinates of the active springs. `None` if constraints are linearly dependent.
+    /// in energy coordinates); on return they satisfy them. `multipliers` receive the multipliers λ. Returns the change of the motion q as p = R q,
+    /// with the triangular factor R of the active springs. `None` if constraints are linearly dependent.
     ///
     /// The normal springs of open gaps are removed. The normal component x_n at such a contact is determined by the multipliers λ alone,
     /// `x_n = (Nᵀλ)_n`. Let Q be the orthogonal factor of the active springs, N_n the columns of N for these normal components, and `M = [N Q, N_n]`.
@@ -275,7 +275,7 @@ impl<'g> EnergyProgram<'g> {
         let x_size = (0..problem.len()).map(x).fold(0.0, f64::max);
         let largest = point.multipliers.iter().fold(x_size, |most, l| most.max(l.abs()));
         // `push - held`, N, is the multiplier of the condition that a gap is not negative. `push` is the normal force, `held` the normal component of
-        // the force that the friction multipliers exert. In energy coordinates it is `√k_n (x - Nᵀλ)_n`.
+        // the force that the friction multipliers exert. In energy coordinates the difference is `√k_n (x - Nᵀλ)_n`.
         let held = self.held_from_outside(&point.multipliers);
         let gap_holds = |row: &ForceCondition| {
             let i = row.contact;

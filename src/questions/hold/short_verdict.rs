@@ -85,7 +85,7 @@ pub enum LossVerb {
     GivesWay,
     /// Motions are no longer [small](crate::Settings::small_motions), without gross slip before.
     GoesTooFar,
-    /// The forces turn with the parts on which they act, and take all that the springs resist.
+    /// The points of action of the forces turn with the object, and this takes away all resistance of the springs to a rotation.
     Buckles,
     /// Air flows into a suction cup where its lip opens.
     Leaks,

@@ -36,9 +36,9 @@ pub(super) struct LayoutGuess {
 /// The reason why the model predicts no load or angle for a slip.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum PredictionFailure {
-    /// The object holds however far the load goes: friction, or the squeeze, is too large for the observed slip.
+    /// The grasp holds however far the load grows: friction, or the squeeze, is too large for the observed slip. The text is the reason as a clause.
     HoldsTooWell(&'static str),
-    /// A contact slides, or the object is lost, before the load grows: friction, or the squeeze, is too small.
+    /// A contact slides, or the object is lost, before the load grows: friction, or the squeeze, is too small. The text is the reason as a clause.
     HoldsTooLittle(&'static str),
 }
 
@@ -302,8 +302,8 @@ impl SlipToPredict<'_> {
     }
 
     /// The derivatives of the logarithm of a predicted load factor or angle with respect to the logarithms of all unknowns, in order. `by` returns
-    /// the derivative for the kind, index and value of an unknown. The derivatives with respect to unknowns of other layouts are zero. `None` if one
-    /// derivative is not known or not finite.
+    /// the derivative with respect to one unknown, given its kind (friction, carried force, squeeze or stiffness), index and value. The derivatives
+    /// with respect to unknowns of other layouts are zero. `None` if one derivative is not known or not finite.
     pub(super) fn by_unknowns(
         &self,
         by: &dyn Fn(UnknownKind, usize, f64) -> Option<f64>,

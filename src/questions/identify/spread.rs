@@ -1,6 +1,6 @@
 //! Standard errors and confidence intervals of the unknowns, from a fit to observed slips. An unknown is a number of the grasp, such as a coefficient
 //! of friction. A slip is a load or angle at which a contact, or the object, was observed to slip. A known sum is a sum of unknowns that is known
-//! from another measurement.
+//! from another measurement. The slips of one group may share an error, e.g. because they were observed on the same specimen or on the same day.
 
 use nalgebra::DMatrix;
 
@@ -88,7 +88,7 @@ struct Spread {
     /// Number of independent linear combinations of the unknowns that the observed slips and the known sums determine.
     rank: usize,
     scatter: Scatter,
-    /// For slips with groups, the contributions of groups to the errors; otherwise `None`.
+    /// The contributions of the groups of slips to the standard errors. `None` unless every slip is in a group.
     grouped: Option<Grouped>,
 }
 
@@ -108,8 +108,8 @@ impl Spread {
         let slope = Huber::slope(slips, inside, unknowns);
         let groups = groups(model);
         // Huber's loss clamps large residuals, so that the slips determine the unknowns less accurately. The factor `counts` on the weight of each
-        // slip accounts for this. With groups the scatter of the clamped residuals enters later, in `Grouped`. Without groups `counts` contains their
-        // expected mean square, that of clamped normal residuals.
+        // slip accounts for this. With groups the scatter of the clamped residuals enters later, in `Grouped`. Without groups `counts` also contains
+        // this scatter: it is divided by the root mean square that clamped residuals have if residuals are normally distributed.
         let counts = if groups.is_some() { slope.sqrt() } else { slope / huber.mean_square().sqrt() };
         let weights = numbered(rows, &|k| (if k < slips { counts } else { 1.0 }) / scatter.rows[k]);
         let (values, directions, _) = singular(&linear.jacobian, &linear.residuals, &weights);

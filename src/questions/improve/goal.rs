@@ -21,8 +21,9 @@ pub enum ImproveGoal {
 }
 
 impl ImproveGoal {
-    /// The value of the goal for one sticking condition. `rest` is the margin, N, of this condition under the base load, and `added` the change of
-    /// the margin due to the load, N. `None` if the goal is first slip and the load never breaks the condition.
+    /// The value of the goal for one sticking condition, i.e. one facet of a friction cone. `rest` is the margin r, N, of this condition under the
+    /// base load, and `added` the change s of the margin due to the load, N. `None` if the goal is first slip and the load never breaks the
+    /// condition.
     pub(super) fn counts(self, rest: f64, added: f64) -> Option<f64> {
         let counted = match self {
             Self::FirstSlip => (added < 0.0).then(|| -rest / added),

@@ -8,12 +8,14 @@ use crate::prelude::*;
 use crate::words::{Words, printable};
 
 impl Needed {
-    /// The format of a least or greatest sufficient amount, which rounds to its sufficient side.
+    /// The format of the bound sought, i.e. the least or greatest sufficient amount. The format rounds to the sufficient side: a least amount up, a
+    /// greatest amount down.
     pub(super) fn of_bound(&self, words: Words) -> Words {
         if self.quantity.is_least() { words.upwards() } else { words.downwards() }
     }
 
-    /// The format of the far end of sufficient amounts, which rounds to its sufficient side.
+    /// The format of the far end, i.e. the end of the interval of sufficient amounts that is not the bound sought. The format rounds to the
+    /// sufficient side.
     pub(super) fn of_far_end(&self, words: Words) -> Words {
         if self.quantity.is_least() { words.downwards() } else { words.upwards() }
     }

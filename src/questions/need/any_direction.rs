@@ -46,9 +46,10 @@ impl Loading {
         )
     }
 
-    /// Checks whether forces along the coordinate axes buckle the grasp. Returns the worst of these results and `held`, the result of the equilibrium
-    /// with everything sticking, which does not show buckling. The geometric stiffness is linear in the force, so that buckling is checked only for
-    /// forces along both senses of each axis.
+    /// Checks whether forces along the coordinate axes, in both senses, buckle the grasp; `along` returns the load for a direction of the force.
+    /// Returns the worst of these results and `held`, the result of the equilibrium with everything sticking, which does not show buckling. The
+    /// geometric stiffness is linear in the force. Therefore a force between the axes is safe, too, if it is a weighted mean of safe forces along
+    /// them. A force of full size between the axes is larger, and is not checked.
     fn unless_it_buckles(&self, mut held: Trial, along: Along<'_>) -> Result<Trial, Error> {
         let axes = self.grasp.space().axes();
         for k in 0..2 * axes {
@@ -130,8 +131,9 @@ impl Loading {
     }
 
     /// The worst result over directions of a force; `worst` has the result without the force. First the directions with which other amounts were
-    /// found insufficient are tried. A quick trial (without the enumeration of contact states) tries only these, if there are any. Then follow a few
-    /// evenly spread directions, then directions near those in which the force is nearly lost, and finally directions between all these.
+    /// found insufficient are tried. A quick trial (without the enumeration of contact states) tries only these, if there are any. Then follow evenly
+    /// spread directions, in space at least 0.4 rad apart; then all directions near those in which less than [`CLOSE`] (1.1) times the load is
+    /// carried. Finally the weakest direction between all these is sought.
     fn in_every_direction(
         &self,
         mut worst: Trials,
@@ -152,8 +154,8 @@ impl Loading {
             }
         }
         for round in 0..2 {
-            // If loads are followed no farther than the whole load, directions in which the force is nearly lost are not recognised. All directions
-            // are then tried.
+            // A few spread directions are enough at first if loads are followed up to [`CLOSE`] times the load. It is then known near which of them a
+            // weaker direction may lie. Otherwise all directions are tried.
             let next = match round {
                 0 if self.followed >= CLOSE => spread_out(&all, self.grasp.space()),
                 0 => numbered(all.len(), &|k| k),
@@ -175,7 +177,8 @@ impl Loading {
             }
         }
         match weakest {
-            // The weakest direction near this one, in which the force is not held, is sought. Trials of other amounts begin with it.
+            // The force is not held in this direction. The weakest direction near it is sought, because trials of other amounts begin with the
+            // weakest direction found.
             Some((direction, trial)) if !trial.is_sufficient() => {
                 let (direction, trial) =
                     self.weakest_near((direction, first_step(self.grasp.space())), along, trial)?;
@@ -213,9 +216,10 @@ impl Loading {
     }
 
     /// The worst result for directions between evenly spread directions in all of which the load is carried. The weakest direction is sought near
-    /// each direction in which a smaller part of the load is carried than in its neighbours. The search starts from a direction in `before` if one is
-    /// near. The carried part of the load jumps where the number of jumps on the load path changes. If this number differs between two neighbours,
-    /// the direction between them at which it changes is sought, too.
+    /// each direction in which a smaller part of the load is carried than in its neighbours. `before` has directions that were weakest with other
+    /// amounts, and the parts carried in them. The search starts from one of these if it is within 1.25 times the first step (half the angle between
+    /// evenly spread directions) and no larger part is carried in it. The carried part of the load jumps where the number of jumps on the load path
+    /// changes. If this number differs between two neighbours, the direction between them at which it changes is sought, too.
     fn between_directions(
         &self,
         (all, tried): (&[[f64; 3]], &[Option<DirectionTrial>]),
@@ -263,8 +267,9 @@ impl Loading {
             let (mut ends, jumps) = ([all[one], all[other]], found[one].jumps);
             let mut parts = [found[one].part, found[other].part];
             loop {
-                // The carried part of the load jumps between the two directions in `ends`. Up to the jump it is nearly linear in the angle on either
-                // side. The smaller last step is therefore needed only if the carried part is near 1, the whole load.
+                // The carried part of the load jumps between the two directions in `ends`. On either side of the jump it is nearly linear in the
+                // angle, so that a small error of the direction changes it little. The smaller last step is needed only if the carried part is so
+                // near 1, the whole load, that this change decides whether the load is held.
                 let is_near = parts[0].min(parts[1]) < 1.0 + 10.0 * LAST_STEP;
                 let last = if is_near { LAST_STEP_AT_A_JUMP } else { LAST_STEP };
                 let apart = [0, 1, 2].map(|axis| ends[0][axis] - ends[1][axis]);
@@ -284,8 +289,9 @@ impl Loading {
         Ok(held)
     }
 
-    /// The result for one direction, with facts about its load path. The path is followed only up to `least`, the multiple of the load that is
-    /// carried in another direction, because only the weakest direction matters.
+    /// The result for one direction, and data of its load path: the number of jumps, the largest motion relative to its limit, and the equilibrium at
+    /// rest. The path is followed only up to `least`, the multiple of the load that is carried in another direction, because only the weakest
+    /// direction matters.
     fn one_direction(&self, ramp: &Ramp<3>, least: Option<f64>) -> Result<(Trial, PathFacts), Error> {
         let least = least.map(|carried| carried.max(CLOSE));
         let (verdict, path) = self.put_on_up_to(ramp, least)?;
@@ -337,7 +343,8 @@ impl Loading {
 /// Returns the growing load (a force at a point, in addition to a constant load) whose force has the direction of the given unit vector.
 type Along<'a> = &'a (dyn Fn([f64; 3]) -> Ramp<3> + Sync);
 
-/// Number of directions that are tried at once, in parallel. The trials of one such group follow the load equally far.
+/// Number of directions that are tried at once, in parallel. All trials of one group follow the load up to the part carried in the weakest direction
+/// before the group. If larger, most of a group is tried in vain after a direction in which the load is lost; if smaller, cores are idle.
 const AT_ONCE: usize = 8;
 
 /// First step of the search for the weakest direction if it starts from a direction that was weakest with another amount, as a fraction of the first
@@ -345,8 +352,8 @@ const AT_ONCE: usize = 8;
 /// halves the step more often.
 const A_LITTLE: f64 = 0.125;
 
-/// Directions closer to each other than this angle, rad, are not tried. The carried parts of the load within this angle differ by less than 1e-6,
-/// unless they jump.
+/// The search for the weakest direction ends once its step is below this angle, rad. If the carried forces form a convex set, the carried part
+/// between two directions this far apart is smaller than in both of them by less than the fraction 1e-6.
 const LAST_STEP: f64 = 1e-3;
 
 /// At a jump of the carried part of the load this angle, rad, replaces [`LAST_STEP`] if at most about 1 % more than the whole load is carried. If
@@ -358,5 +365,5 @@ const LAST_STEP_AT_A_JUMP: f64 = 1e-8;
 const MOST_MINIMA: usize = 3;
 
 /// At most this many pairs of neighbouring directions with different numbers of jumps are searched, the weakest pairs first. If fewer, narrow cones
-/// of directions in which the load is lost stay unseen. Each pair takes five to seven verdicts.
+/// of directions in which the load is lost stay unseen. Each pair takes up to nine verdicts, or up to 25 if the last step is [`LAST_STEP_AT_A_JUMP`].
 const MOST_EDGES: usize = 12;

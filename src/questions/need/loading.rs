@@ -201,8 +201,8 @@ impl Loading {
             let wanted = if demand == Demand::Sticks { &sticks } else { &held };
             if let Trial::Insufficient { .. } = wanted {
                 refuting.first.set(which);
-                // A load that is not held also makes something slide. If something slides before all loads were applied, it is not known whether all
-                // loads are held.
+                // The loop ends here. If this load is not held, the loads together are not held. If it is held, but a contact slides under it, later
+                // loads were not tried, and whether all are held is not known (`None`).
                 let held = (!held.is_sufficient() || k + 1 == ramps.len()).then_some(held);
                 return Ok(Trials { held, sticks: Some(sticks), at_rest: kinds });
             }
@@ -212,8 +212,8 @@ impl Loading {
         Ok(Trials { held: is_held.then_some(held), sticks: Some(sticks), at_rest: kinds })
     }
 
-    /// The verdict on a ramp, with facts about its load path. The path is followed only up to `least`, the multiple up to which another load is
-    /// carried, because only the load carried least matters.
+    /// The verdict on a ramp, and data of its load path: the number of jumps, the largest motion relative to its limit, and the equilibrium at rest.
+    /// The path is followed only up to `least`, the multiple up to which another load is carried, because only the load carried least matters.
     pub(super) fn put_on_up_to(
         &self,
         ramp: &Ramp<3>,
@@ -267,8 +267,9 @@ impl Loading {
         trial
     }
 
-    /// The result of a trial, from its verdict. `other` is a second margin. For [`Demand::Held`] it is 1 less the largest ratio of a motion to its
-    /// limit of small motions. For [`Demand::Sticks`] it is the margin of sticking at rest, as a fraction of the largest contact force.
+    /// The result of a trial, from its verdict. `other` is a second measure of the distance from the bound: positive if the amount is sufficient,
+    /// zero at the bound. For [`Demand::Held`] it is 1 less the largest ratio of a motion to its limit of small motions. For [`Demand::Sticks`] it is
+    /// the margin of sticking at rest, as a fraction of the largest contact force.
     pub(super) fn judged(&self, (verdict, other): (&Verdict<3>, f64), demand: Demand) -> Trial {
         let sufficient = match demand {
             Demand::Sticks => verdict.sticks(),
@@ -330,7 +331,8 @@ impl Loading {
                 Onset::NoBase(none) => Trial::insufficient(self.said(none), NOT_AT_REST),
             });
         }
-        // The path begins with the load in place. If it cannot be put on from rest, no angle is reached.
+        // The path begins at angle zero, with the load acting in full. If the grasp does not hold this load as it grows from zero, no angle is
+        // reached.
         let put_on = self.grasp.hold(turn.load_at(0.0))?;
         if put_on.holds() == Some(false) {
             return Ok(Trial::nothing(self.said(&put_on)));

@@ -69,7 +69,7 @@ pub(super) enum BoundEstimate {
 /// which it ends.
 #[derive(Debug)]
 pub(super) struct SearchPlan {
-    /// The amount with which the search begins, if forces can balance the loads with it; see [`Self::begin`].
+    /// The amount with which the search begins, if forces can balance the loads with it; otherwise [`Self::begin`] takes an amount inside the range.
     pub(super) start: f64,
     /// The least and the greatest amount tried.
     pub(super) limits: [f64; 2],
@@ -137,7 +137,7 @@ impl SearchPlan {
 
     /// Estimates of the bound of the sufficient amounts, in the order in which they are tried. First come estimates from the carried part of the load
     /// at both ends of a bracket. Then follow amounts on both sides of the proved end of the range, beyond which forces cannot balance the loads. If
-    /// friction is sought, amounts next to the likely least coefficient are included.
+    /// friction is sought, amounts next to an estimate of the least coefficient from a secant (`likely`) are included.
     fn guesses(
         &self,
         (sufficient, trial): (f64, &Trial),
@@ -223,11 +223,13 @@ pub(super) fn search(
             }
         }
     }
-    // The ratio of successive amounts. With a larger ratio than 2, narrow intervals of sufficient amounts would be missed.
+    // The ratio of successive amounts. With a larger ratio than 2, narrow intervals of sufficient amounts would be missed. A search that need not go
+    // everywhere tries fewer amounts, farther apart.
     let factor = if plan.everywhere { 2.0 } else { FAR_APART };
     let begin = first.0;
     // If the start is insufficient because its squeeze moves the object too far, a smaller squeeze may be sufficient. Therefore harder amounts (less
-    // squeeze, more load) are tried, too, unless a greatest amount is sought and `is_monotone`.
+    // squeeze, more load) are tried, too. They are not tried if a greatest amount is sought and every amount easier than a sufficient one is known to
+    // be sufficient (`is_monotone`).
     let may_be_less = plan.everywhere && (plan.is_least || !plan.is_monotone);
     for (up, is_asked) in [(more, true), (!more, may_be_less)] {
         if is_asked && let Some(sufficient) = first_sufficient(tries, plan, (begin, up, factor), &mut vain)? {
@@ -249,8 +251,8 @@ pub(super) fn decided(tries: TrialOf<'_>, at: f64, width: Option<f64>) -> Result
     let first = tries(at)?;
     if let Trial::Unknown(_) = first {
         let beside = |part: f64| width.map_or(at * (1.0 + part), |width| at + part * width);
-        // Neighbours are tried so that one undecided amount does not end the search. As a rule a verdict is undecided because of two events at the
-        // same load, which neighbours closer than 1e-9 might have, too. In a narrow bracket two neighbours are enough.
+        // Neighbours are tried so that one undecided amount does not end the search. As a rule a verdict is undecided because two contacts change
+        // their states at the same load. Neighbours closer than 1e-9 might have the same fault. In a narrow bracket two neighbours are enough.
         let is_narrow = width.is_some_and(|width| width <= 1e-6 * at.abs());
         let offsets: &[f64] = match width {
             Some(_) if is_narrow => &[0.3, -0.3],
@@ -268,7 +270,8 @@ pub(super) fn decided(tries: TrialOf<'_>, at: f64, width: Option<f64>) -> Result
 }
 
 /// The first sufficient amount among estimates of the bound from the carried part of the load. Each estimate is moved towards easier amounts (more
-/// squeeze, less load): the first by 2 [`LAST_DIGITS`], each following estimate by 64 times the distance of the one before.
+/// squeeze, less load): the first by twice the relative distance [`LAST_DIGITS`], at which two amounts differ by rounding alone, each following
+/// estimate by 64 times the distance of the one before.
 fn guessed(
     tries: TrialFunctions<'_>,
     plan: &SearchPlan,
@@ -301,8 +304,8 @@ fn first_sufficient(
 ) -> Result<Option<(f64, Trial)>, Error> {
     let mut at = begin;
     loop {
-        // Far from the start, an interval of sufficient amounts is usually as wide as its distance from the start. Therefore larger steps find it,
-        // too.
+        // An interval of sufficient amounts far from the start is usually about as wide as it is far away. So steps by the factor `FAR_FROM_START`
+        // find it, too, although steps near the start must be smaller.
         let is_far = at > FAR_FROM_START * begin || at * FAR_FROM_START < begin;
         let factor = if is_far { factor.max(FAR_FROM_START) } else { factor };
         at *= if up { factor } else { factor.recip() };
@@ -371,8 +374,8 @@ fn first_insufficient(
 ) -> Result<BoundSearch, Error> {
     let (mut at, mut factor, mut unknown) = (sufficient, 1.0, None);
     let insufficient = loop {
-        // The ratio grows from step to step. A wide bracket costs little, since secants narrow it quickly, but each load path at tiny forces takes
-        // long.
+        // The ratio grows from step to step. A wide bracket costs little, since the secant steps that follow narrow it quickly. Many small steps
+        // would cost more, because each load path under tiny forces takes long.
         factor *= FAR_APART;
         at = if plan.is_least { at / factor } else { at * factor };
         if !plan.contains(at) {

@@ -141,8 +141,8 @@ impl Needed {
         self.amounts_tried(f, *tried)
     }
 
-    /// Writes that all amounts tried on the harder side (less squeeze, more load) are sufficient, `to` being the last. `until` is the last sufficient
-    /// amount on the other side, if there is one.
+    /// Writes that all amounts tried on the harder side (less squeeze, more load) are sufficient, `to` being the last. `until` is the far end, the
+    /// last sufficient amount on the easier side. `None` if all amounts tried on that side are sufficient.
     fn any(
         &self,
         f: &mut fmt::Formatter<'_>,
@@ -340,8 +340,8 @@ impl Needed {
         format!("from {from} to {to}, where motions cease to be small")
     }
 
-    /// The text between the amount and the safe amount: a line break, or "; " if the safe amount is for larger loads. The user has then asked for it
-    /// with a factor of safety, so that it belongs to the first line.
+    /// The text between the amount and the safe amount: a line break, or "; " if the safe amount is for larger loads. A factor of safety on loads is
+    /// given by the user, so that the safe amount belongs to the first line.
     fn before_safe(&self) -> &'static str {
         if self.safety == 1.0 { LINE } else { "; " }
     }
@@ -369,8 +369,8 @@ impl Needed {
             }
             Some(Amount::Bound { sufficient: safe, presses: safe_presses, until, .. }) => {
                 let much = match (press::alike(presses), press::alike(safe_presses)) {
-                    // Both amounts lead to the same normal forces, because drives at their limit press no harder under a larger command. So the
-                    // multiple of the command is named.
+                    // The amount and the safe amount lead to the same normal forces, because drives at their limit press no harder under a larger
+                    // command. The text therefore gives the safe amount as a multiple of the command, not as a normal force.
                     (Some(one), Some(other))
                         if (one - other).abs() <= ALIKE_IN_WORDS * one.abs() && *safe != sufficient =>
                     {
@@ -413,7 +413,8 @@ fn at_limit(drives: &[String]) -> Option<String> {
 }
 
 impl Amount {
-    /// Whether the number `amount`, to within [`ALIKE_IN_WORDS`], lies in an interval of sufficient amounts. `true` if the answer has no bound.
+    /// Whether the number `amount` lies in an interval of sufficient amounts, or outside it by so little ([`ALIKE_IN_WORDS`]) that words show no
+    /// difference. `true` if the answer has no bound.
     fn takes(&self, amount: f64, is_least: bool) -> bool {
         let Self::Bound { sufficient, until, elsewhere, .. } = self else { return true };
         let (near, far) = (Some(*sufficient), until.as_ref().map(|end| end.sufficient));

@@ -29,7 +29,7 @@ pub(super) struct LoadAtPoints<const C: usize, X: Packed> {
 }
 
 impl<const C: usize, X: Packed> Resistance<C, X> {
-    /// The bound for contacts with stiffnesses or compliances, depending on the method.
+    /// The bound for the contacts of a block. The block stores compliances for [`Method::Edges`], stiffnesses for [`Method::Motions`].
     #[inline(never)]
     pub(super) fn of<V: Vectors>(v: V, block: &Block<'_, C, X>, method: Method) -> Self {
         let zero = X::all(0.0);

@@ -1,5 +1,6 @@
-//! One grasp prepared for screening: its data, its springs, and the contact forces due to its commands. Screening computes, for many grasps, the load
-//! factor at which the first contact stops sticking (first slip). A command is the displacement that a finger would make without the object.
+//! One grasp with all that screening computes before a load is known: its data, the numbers that follow from its springs alone, and the contact
+//! forces due to its commands. Screening computes, for many grasps, the load factor at which the first contact stops sticking (first slip). A command
+//! is the displacement that a finger would make without the object.
 
 use nalgebra::SMatrix;
 
@@ -16,7 +17,8 @@ use crate::error::{Error, Field};
 use crate::grasp::{Contact, Hold};
 use crate::numerics::{Compiled, by_axis, dot};
 
-/// The data of one grasp, its prepared springs, and the contact forces due to its commands (`squeezed`), computed once for all loads.
+/// The data of one grasp, the numbers that follow from its springs alone (`ready`), and the contact forces due to its commands (`squeezed`), computed
+/// once for all loads.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct OneGrasp<const C: usize> {
     pub(super) data: GraspData<C>,
@@ -25,7 +27,8 @@ pub(super) struct OneGrasp<const C: usize> {
 }
 
 impl<const C: usize> OneGrasp<C> {
-    /// Checks two to five contacts and prepares their springs. Returns an error as for [`write_all`].
+    /// Checks two to five contacts, and computes all that does not depend on a load. Returns an error for a malformed contact, or a contact that
+    /// screening does not support.
     pub(super) fn new(contacts: &[Contact<C>]) -> Result<Self, Error> {
         let (data, ready) = (GraspData::new(contacts.len()), StickingSprings::none(Method::Edges));
         let mut grasp = Self { data, ready, squeezed: Forces::none() };
@@ -51,7 +54,8 @@ impl<const C: usize> OneGrasp<C> {
         question.ask(&prepared, [&mut a, &mut b, &mut c], &mut slots);
     }
 
-    /// The margins of measured contact forces of this grasp, and the first slip under a load to come; see [`Measured`].
+    /// The distances of measured contact forces of this grasp from the edges of their friction cones, and the first slip as a further load grows.
+    /// `measured` holds these forces and the load.
     pub(super) fn watch(&self, measured: &Measured<'_, C>) -> Watched {
         let mut watched = [Watched::UNKNOWN];
         self.ask(measured, &mut watched);
@@ -59,8 +63,8 @@ impl<const C: usize> OneGrasp<C> {
     }
 }
 
-/// Checks contacts and stores them in `data`. For [`Method::Edges`], stiffnesses are replaced by compliances. An error for a malformed
-/// contact, or a contact that screening does not support.
+/// Checks contacts and stores them in `data`. Stiffnesses are replaced by compliances if [`Method::Edges`] is used, i.e. if the unknowns are forces
+/// along the lines between contacts. An error for a malformed contact, or a contact that screening does not support.
 pub(super) fn write_all<const C: usize>(
     data: &mut AnyGraspData<C>,
     contacts: &[Contact<C>],

@@ -142,8 +142,8 @@ impl<X: Packed> Pair<X> {
         }
     }
 
-    /// A bound, N, on the sum of the absolute values of the terms that add up to a contact force due to these commands. The rounding error of the
-    /// force is proportional to this sum.
+    /// A bound, N, on the sum of the absolute values of the terms that add up to a contact force due to the commands `asked`. `length` is the
+    /// distance between the contacts, m, or a bound of it. The rounding error of the force is proportional to this sum.
     #[inline(always)]
     fn size_of<const C: usize>(&self, length: X, asked: &Commanded<'_, C, X>) -> X {
         let mut commands = X::all(0.0);
@@ -155,7 +155,7 @@ impl<X: Packed> Pair<X> {
 }
 
 impl<X: Packed> Pair<X> {
-    /// A pair with all numbers zero, before [`Self::prepare`].
+    /// A pair with all numbers zero; [`Self::prepare`] computes them from the data of a block.
     pub(super) fn none() -> Self {
         let (zero, zeros) = (X::all(0.0), [X::all(0.0); 2]);
         Self {

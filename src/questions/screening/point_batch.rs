@@ -43,7 +43,8 @@ pub struct PointBatch<const C: usize> {
     contacts: usize,
     /// Bit i is set if contact point i is the last point of its finger; this is the same in every grasp.
     ends: u64,
-    /// The data of all blocks one after the other, each laid out as `numbers` of [`Block`].
+    /// The data of all blocks one after the other: for each block rows of positions, normals, commands and springs, with one entry per contact, in
+    /// the order of `numbers` of [`Block`].
     numbers: Vec<Lanes>,
     commands_and_clearances: Vec<Lanes>,
     len: usize,

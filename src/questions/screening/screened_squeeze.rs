@@ -6,7 +6,7 @@ use core::fmt;
 use super::first_slip::{GIVES_WAY, UNCLEAR};
 use super::least_factor::NO_FACTOR;
 
-/// The least factor of the commands with which all contacts of one grasp stick under each load of a list. Or the reason why screening has no factor.
+/// The least factor of the commands with which all contacts of one grasp stick under each load of a list, or the reason why screening has no factor.
 #[derive(Clone, Copy, PartialEq)]
 pub struct ScreenedSqueeze {
     /// The least factor on the commands, or for the other verdicts one of the codes in `least_factor` and `first_slip`.

@@ -26,14 +26,14 @@ pub(super) struct Cause<'a, const C: usize, X: Packed> {
 pub(super) enum StickingSprings<const C: usize, X: Packed> {
     /// Contact forces in closed form, for two contacts in the plane.
     Pair(Pair<X>),
-    /// Contact forces from forces along the edges, for triangles of contacts in space with [`Method::Edges`].
+    /// Contact forces from three unknown forces along the edges of a triangle of contacts in space, computed from compliances ([`Method::Edges`]).
     Triangle(Triangle<C, X>),
     /// Contact forces from the motion of the object, with its factorised stiffness matrix.
     RigidBody(RigidBody<C, X>),
 }
 
 impl<const C: usize, X: Packed> StickingSprings<C, X> {
-    /// Springs for this method with all numbers zero, before [`Self::prepare`].
+    /// Springs for this method with all numbers zero; [`Self::prepare`] computes them from the data of a block.
     pub(super) fn none(method: Method) -> Self {
         match method {
             Method::Edges if C == 2 => Self::Pair(Pair::none()),
@@ -42,7 +42,8 @@ impl<const C: usize, X: Packed> StickingSprings<C, X> {
         }
     }
 
-    /// The method for which these springs are prepared. Answers are stored only for those grasps of a block that use this method.
+    /// The method by which contact forces are found: from forces along the edges between contacts, or from the motion of the object. Answers are
+    /// stored only for those grasps of a block that use this method.
     pub(super) fn method(&self) -> Method {
         match self {
             Self::Pair(_) | Self::Triangle(_) => Method::Edges,
@@ -95,8 +96,8 @@ impl<const C: usize, X: Packed> StickingSprings<C, X> {
         }
     }
 
-    /// Writes at least the rotation of the object under commands and a load into `moved`. With [`Method::Motions`] the rotation is copied from
-    /// `forces`; with the other method the whole motion is computed as by [`Self::moved`].
+    /// Writes at least the rotation of the object under commands and a load into `moved`. With [`Method::Motions`] the motion of the object is the
+    /// unknown, and its rotation is copied from `forces`. With [`Method::Edges`] the whole motion is computed from the forces as by [`Self::moved`].
     #[inline(always)]
     pub(super) fn turned<V: Vectors>(
         &self,

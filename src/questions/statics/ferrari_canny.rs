@@ -17,8 +17,8 @@ use crate::search::Settings;
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct WrenchBall<const C: usize> {
-    /// Lower bound of ε, N: every load of this size, measured in the [scale](WrenchScale), can be balanced. Zero if loads in some direction cannot be
-    /// balanced, however small they are.
+    /// Lower bound of ε, N: every load of this size can be balanced. Moments count as forces after division by the length of the
+    /// [scale](WrenchScale). Zero if loads in some direction cannot be balanced, however small they are.
     pub at_least: f64,
     /// Upper bound of ε, N. In the plane, on polygonal friction cones, and for most grasps on round cones, both bounds differ by at most 1e-9 of the
     /// largest wrench. On round cones the search approximates the set of wrenches by a polytope. For symmetric grasps its faces may become too thin

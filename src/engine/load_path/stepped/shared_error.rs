@@ -54,8 +54,9 @@ impl StepProblem<'_> {
             let began = tangential(began);
             let turned = (began / tangential_norm(&began) - slide.direction).norm();
             // If a contact begins to slide within a half of the step, the derivative of the twist with respect to the load factor jumps there. The
-            // twist then deviates from a straight line by up to twice its deviation in the middle. A friction force changes no more than its
-            // direction of slip turns.
+            // twist then deviates from a straight line by up to twice its deviation in the middle. The error of the friction force is at most this
+            // deviation, as a force in the springs, times the angle by which the direction of slip turns. The friction force itself is a bound of the
+            // deviation that counts.
             let most = (2.0 * bend.norm()).min(tangential_norm(&began));
             if turned > 0.0 { most * turned } else { 0.0 }
         };
@@ -65,8 +66,8 @@ impl StepProblem<'_> {
                 (off - margin / local.cone().round_weight()).max(0.0)
             }
             (Mode::Sticking, Mode::Round(slide)) => {
-                // The contact stuck during the fraction `stuck` of the half step, and slid during the rest. Its state stores the rest, as the factor
-                // by which slip softens the springs; this is exact if the normal force is constant.
+                // The contact stuck during the fraction `stuck` of the half step, and slid during the rest. The state of the contact stores this rest
+                // as the factor by which slip softens the springs. This is exact if the normal force is constant.
                 let stuck = 1.0 - site.springs.softening(1, slide.lambda);
                 bend_at(&(a.forces[i] + drawn(a, b) * stuck), slide)
             }

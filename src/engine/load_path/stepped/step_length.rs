@@ -16,7 +16,8 @@ use crate::numerics::{Vector, counted, largest};
 use crate::prelude::*;
 use crate::search::Doubt;
 
-/// Forces and errors of a step made both in two halves and at once. The states of this step are in [`StepDoubling`].
+/// Forces and errors of a step made both in two halves and at once. The states after each half, and after the same step made at once, are in
+/// [`StepDoubling`].
 #[derive(Debug)]
 struct DoubledStepSizes {
     /// The largest contact force at either end of the step, N.
@@ -80,7 +81,8 @@ impl<'g> SteppedFollower<'g> {
         // Half of the allowed error is divided among the steps in proportion to their size, the largest of three measures: the fraction of the leg
         // that the step covers; the change of contact forces in the step, divided by the largest force; and the change of contact forces that the
         // object's motion would cause if all contacts stuck, also divided by the largest force. The third measure counts because friction forces turn
-        // towards the directions of slip: along steps whose third measures add up to one, errors in these directions decay.
+        // towards the directions of slip as the object moves. By the time the third measures of successive steps add up to one, an error in the
+        // direction of a friction force has decayed. The next steps may therefore make errors of the same size again.
         let even = 0.5 * self.error * length.max(relative_change).max(twice.force_change / largest);
         // The allowed difference of a contact's force between this path and the second path (see `coarse_path`). The error of this path is about a
         // third of this difference. The allowed difference grows with the sum of the relative changes of forces along the path, up to twice the
@@ -96,13 +98,13 @@ impl<'g> SteppedFollower<'g> {
             (to.forces[i] - at_once.forces[i]).norm() / largest / allowed
         };
         let used = (0..to.forces.len()).map(part).fold(0.0, f64::max);
-        // The error that both forms of the step have in common may be a tenth of the allowed error. So much is allowed because a contact makes such
-        // an error only a few times on a leg.
+        // The error that both forms of the step have in common may be a tenth of the allowed error. This is far more than the share of one step, and
+        // is allowed because a contact makes such an error only a few times on a leg, when it starts or stops sliding, opens or closes.
         used.max(twice.shared_error / (0.1 * self.error).max(rounding))
     }
 
-    /// Makes a step over the fraction `length` of the leg both in two halves and at once, into `places`. `None` if one of these steps finds no
-    /// equilibrium, or only an equilibrium to which the object would have to jump.
+    /// Makes a step over the fraction `length` of the leg both in two halves and at once, and stores the states reached in the field `places`. `None`
+    /// if one of these steps finds no equilibrium, or only an equilibrium to which the object would have to jump.
     fn twice(&mut self, length: f64) -> Option<DoubledStepSizes> {
         let Self { along, present: from, places: StepDoubling { middle, to, at_once, .. }, .. } = self;
         let rate = self.pace.rate.clone().unwrap_or_else(Vector::zeros);
