@@ -11,10 +11,9 @@ use super::loaded::LoadSet;
 use super::question::Improve;
 use super::tolerances::{AT_ITS_LIMIT, ROUNDED_MULTIPLIER};
 use crate::ask::Grasp;
-use crate::contact::WEIGHTLESS;
 use crate::equilibrium::Outcome;
 use crate::error::Error;
-use crate::grasp::{inside, outside};
+use crate::grasp::{Hold, inside, outside};
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::numerics::{Draw, IntoList, in_order, increasing, indexed, mapped, moved};
 use crate::prelude::*;
@@ -145,6 +144,13 @@ impl Improve<3> {
         };
         (answer.after, answer.search) = (Some(design.value), search);
         answer.contacts = placed(&design_space, &design);
+        let is_at_its_limit = |i: usize| {
+            let (force, mu) = (design.parts[0].at_rest(i), design_space.contacts[i].friction);
+            let sticks = mu.is_infinite() || design_space.contacts[i].hold == Hold::Bonded;
+            let most = mu * force[0];
+            !sticks && most > 0.0 && force[1].hypot(force[2]) >= most * (1.0 - AT_ITS_LIMIT)
+        };
+        answer.at_their_limit = design_space.wholes.with(&is_at_its_limit);
         if let Some(last) = last {
             answer.residual = Some(last.step.residual);
             answer.in_the_way = in_the_way(&design_space, &design, &last);
@@ -158,17 +164,10 @@ impl Improve<3> {
                 whole_loads.extend(mapped(list, &|load| self.base() + *load * factor));
             }
         }
-        for (k, load) in whole_loads.into_iter().enumerate() {
-            let Outcome::Equilibrium(state) = best.solve(load)? else { continue };
-            if k == 0 {
-                let is_at_its_limit = |i: usize| {
-                    let contact = &state.contacts[i];
-                    contact.normal_force() > WEIGHTLESS * state.largest_force()
-                        && contact.friction_used() >= 1.0 - AT_ITS_LIMIT
-                };
-                answer.at_their_limit = best.engine.wholes().with(&is_at_its_limit);
+        for load in whole_loads {
+            if let Outcome::Equilibrium(state) = best.solve(load)? {
+                answer.too_far = answer.too_far.or(state.too_far);
             }
-            answer.too_far = answer.too_far.or(state.too_far);
         }
         Ok(answer)
     }
