@@ -76,9 +76,9 @@ impl<'g> PiecewiseFollower<'g> {
         self.segment.state(&point.linear_problem, self.factor + step, Some(&near.twist)).unwrap_or(near)
     }
 
-    /// Corrects `step`, the change of the load factor up to the exits `reached`. As extrapolated from the present state, the step has the rounding
-    /// error of this state. The correction follows from the state at the end of the step, which is solved for directly. A correction that is too
-    /// large is not applied.
+    /// Corrects `step`, the change of the load factor up to the exits `reached`. The step was extrapolated from the present state and has the
+    /// rounding error of this state. The correction follows from the state at the end of the step, which is solved for directly. A correction by more
+    /// than 1e-6 of the load factor (`LARGEST_CORRECTION`) is not applied.
     fn corrected(&self, point: &PathPoint, step: f64, reached: &ExitsReached) -> f64 {
         let mut clearest: Option<(usize, &Exit)> = None;
         for (i, exits) in reached {
