@@ -1,6 +1,7 @@
 //! A step along a growing load, and the first event in the step. The unknowns are the load factor and the slips of sliding contacts (see `in_slips`).
 //! Arclength is measured along the curve of the slips, divided by a unit of slip, and the load factor. A margin is the distance of a force from the
-//! edge of its friction cone. The conditions of this file have values that must stay positive along a step; [`GROWS`] lists them.
+//! edge of its friction cone. The conditions of this file have values that must stay positive along a step; the comment of [`GROWS`] lists them in
+//! their order.
 
 use super::slip_rates::Slips;
 use super::tolerances::LITTLE_NORMAL_FORCE;
