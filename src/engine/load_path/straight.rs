@@ -15,8 +15,8 @@ use crate::prelude::*;
 use crate::search::Doubt;
 
 impl<'g> PiecewiseFollower<'g> {
-    /// Advances along the present piece to its end: the first exit, where the present state of a contact ends, or the end of the leg. Stores the
-    /// piece. Returns whether the leg is complete.
+    /// Advances along the present piece to its end: the first exit, where the present state of a contact ends, or the end of the leg. Adds the piece
+    /// to the list of the pieces behind. Returns whether the leg is complete.
     pub(super) fn advance_straight(&mut self, run: &ProgramRun<'g>) -> Result<bool, PathEnd<3>> {
         let Some(point) = self.point.clone() else {
             return Err(run.undecided(self.factor, Doubt::OnTheBoundary));
