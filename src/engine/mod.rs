@@ -1,5 +1,5 @@
-//! From a validated grasp, commands and load to contact forces: the coupling of the contacts, complementarity problems, searches, proofs, equilibria
-//! and load paths.
+//! Computes contact forces from a validated grasp, commands and a load: the coupling of the contacts, complementarity problems, searches, proofs,
+//! equilibria and load paths.
 
 pub mod equilibrium;
 pub mod forms;

@@ -40,7 +40,7 @@ pub(super) enum LemkeVariable {
 }
 
 impl LemkeVariable {
-    /// The other variable of the pair. The covering variable z₀ belongs to no pair and is returned itself.
+    /// The other variable of a complementary pair (w_i, z_i). The covering variable z₀ belongs to no pair and is returned itself.
     pub(super) fn complement(self) -> Self {
         match self {
             Self::W(i) => Self::Z(i),
@@ -176,8 +176,8 @@ impl Dictionary {
 
     /// Sets entries of the entering column `u` to zero that are only noise: rounding errors of zero.
     ///
-    /// In a column that was computed as a sum (equation (1) at the top of the file), an entry is noise below `tolerance` times the magnitude of
-    /// its terms. In the stored column of a slack, an entry is noise below [`STORED_ROUNDING`] times the largest entry.
+    /// In a column that was computed as a sum (equation (1) at the top of the file), an entry is noise below `tolerance` times the magnitude of its
+    /// terms. In the stored column of a slack, an entry is noise below [`STORED_ROUNDING`] (64 units of rounding) times the largest entry.
     pub(super) fn clear_noise(&mut self, entering: LemkeVariable, tolerance: f64) {
         if let LemkeVariable::W(_) = entering {
             let rounding = STORED_ROUNDING * largest(&self.u);
@@ -259,8 +259,8 @@ impl Dictionary {
         wide(Update { columns: &mut self.columns, n: self.n, g: &self.g, u: &self.u });
     }
 
-    /// Exchanges z_j, basic in row r, with w_j. Nothing is changed if w_j is basic too, or if the pivot is too small: below [`RETIRING_PIVOT`] times
-    /// the largest entry of its column, which counts as at least 1.
+    /// Exchanges z_j, basic in row r, with w_j. Nothing is changed if w_j is basic too, or if the pivot is so small that it would amplify rounding
+    /// errors. A pivot is too small below [`RETIRING_PIVOT`] (1e-5) times the largest entry of its column, which counts as at least 1.
     pub(super) fn retire(&mut self, j: usize, r: usize, scaling: &Scaling, m: &[f64]) {
         if !self.is_active(j) {
             return;

@@ -84,8 +84,8 @@ fn eliminate(a: &mut DMatrix<f64>, k: usize) {
 /// The first entry of `a` must be positive. Two smaller matrices must be P-matrices: `a` without its first row and column, and the Schur complement
 /// of the first entry.
 ///
-/// `m` holds the same rows and columns before any elimination. A pivot counts as positive if it exceeds [`ELIMINATED_PIVOT`] times the diagonal entry
-/// of `m`.
+/// `m` holds the same rows and columns before any elimination. A pivot counts as positive if it exceeds [`ELIMINATED_PIVOT`] (1e-14) times the
+/// diagonal entry of `m`.
 fn minors_are_positive(mut a: DMatrix<f64>, m: &DMatrix<f64>) -> bool {
     let n = a.nrows();
     if n == 0 {

@@ -11,7 +11,8 @@ use crate::numerics::generic;
 
 impl LemkePath {
     /// Drift of the basic values, which rounding causes from pivot to pivot. It is the largest violation of w = q + M z + d z₀ in any row, divided by
-    /// the magnitude of the terms of this row plus [`DRIFT_FLOOR`] times the largest |q_i|.
+    /// the magnitude of the terms of this row plus [`DRIFT_FLOOR`] (1e-3) times the largest |q_i|. Without this addition, rows whose terms are all
+    /// rounding errors would have a large drift.
     pub(super) fn drift(&mut self, m: &[f64]) -> f64 {
         self.compute_defect(m);
         let floor = DRIFT_FLOOR * largest(&self.q);

@@ -2,7 +2,8 @@
 
 use crate::prelude::*;
 
-/// Replaces `collect`, which compiles several adapters for each iterator and asks the iterator for its length first.
+/// Collects the elements of an iterator. It replaces `collect`, which the compiler instantiates with several adapters for each iterator; this loop
+/// compiles faster.
 pub(crate) trait IntoList: Iterator + Sized {
     /// The elements, in order.
     fn list(mut self) -> Vec<Self::Item> {
@@ -16,7 +17,7 @@ pub(crate) trait IntoList: Iterator + Sized {
 
 impl<I: Iterator> IntoList for I {}
 
-/// The values of all elements, in order; `None` from the first element that has none.
+/// The values of all elements, in order. If an element is `None`, returns `None` at once.
 pub(crate) fn all_some<T>(elements: impl Iterator<Item = Option<T>>) -> Option<Vec<T>> {
     let mut all = Vec::new();
     for element in elements {

@@ -1,4 +1,5 @@
-//! The square root under another name. A number trait whose own method is called `sqrt` uses it, because a call of `sqrt` in it may mean that method.
+//! The square root under another name. A trait of number types that has its own method `sqrt` calls this function, because `x.sqrt()` inside the
+//! trait could mean that method.
 
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;

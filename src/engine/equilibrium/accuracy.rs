@@ -18,8 +18,8 @@ use crate::serial::AsComputed;
 /// forces.
 ///
 /// The residuals of all conditions are evaluated in twice the working precision. Solving the linear problem with these residuals as right-hand side
-/// gives the errors. For the condition number all given numbers (points, frames, stiffnesses, friction, commands, load) are varied at once, in a few
-/// patterns of signs. This is a small-sample estimate (C. S. Kenney and A. J. Laub, SIAM J. Sci. Comput. 15, 1994).
+/// gives the errors. For the condition number all given numbers (points, frames, stiffnesses, friction, commands, load) are varied at once, with
+/// three patterns of signs. This is a small-sample estimate (C. S. Kenney and A. J. Laub, SIAM J. Sci. Comput. 15, 1994).
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]

@@ -6,8 +6,8 @@
 //!
 //! In each case the contact law is relaxed to a convex cone: a polygon around an arc of friction directions replaces the arc. For each generator of
 //! this cone, the virtual work divided by the square root of the generator's energy must not exceed a bound. The bound is the gain divided by
-//! [`ESCAPE`] and by the size of the elastic trial state, in which every contact sticks. An equilibrium that rounding hides from the proof would then
-//! be at least [`ESCAPE`] times larger than that state.
+//! [`ESCAPE`] (1e4) and by the size of the elastic trial state, in which every contact sticks. An equilibrium that rounding hides from the proof
+//! would then be at least [`ESCAPE`] times larger than that state.
 
 use core::f64::consts::FRAC_PI_8;
 

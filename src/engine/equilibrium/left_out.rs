@@ -84,7 +84,8 @@ impl Engine {
         self.unstable_at(1.0, forces, is_open, load).is_some()
     }
 
-    /// Whether the grasp buckles in an equilibrium with these contacts under this load. Also false if [`Self::may_buckle`] is false.
+    /// Whether the grasp buckles in an equilibrium with these contacts under this load. Also false if the load's points of action are unknown, or if
+    /// the grasp is solved with band matrices.
     pub(super) fn buckles_in(&self, contacts: &[ContactAnswer<3>], load: &Wrench<3>) -> bool {
         self.may_buckle(load) && self.buckles(&forces_in(contacts), &is_open_in(contacts), load)
     }
@@ -181,7 +182,7 @@ impl Engine {
         stiffness
     }
 
-    /// The length of a rope or spring to the ground; `None` for other contacts and drives.
+    /// The length, m, of a rope or spring to the ground; `None` for other contacts and drives.
     pub(crate) fn rope(&self, site: usize) -> Option<f64> {
         let contact = self.contacts().get(site)?;
         let is_rope = matches!(contact.link, Some(LinkKind::Cable | LinkKind::Spring));

@@ -71,9 +71,9 @@ impl Engine {
         for found in search.found {
             add(found, FoundBy::Enumeration, &effort);
         }
-        // On the round cone, the search above starts Newton's method from equilibria on a polygonal cone. If the polygon lies inside the round cone,
-        // this misses an equilibrium where the polygon allows none, or far from every equilibrium on the polygon. Therefore the search of `solve` is
-        // made, too.
+        // On the round cone, the search above starts Newton's method from equilibria on a polygonal cone. A polygon inside the round cone may allow
+        // no equilibrium, or none near an equilibrium on the round cone. Newton's method then misses the equilibrium on the round cone, and therefore
+        // the search of `solve` is made, too.
         if problem.round
             && let (SearchOutcome::Found(found, rule), effort) = settle(&problem, settings)
         {
@@ -136,7 +136,7 @@ impl Engine {
     }
 }
 
-/// Whether no residual exceeds the tolerance of an equilibrium: 1e-12 on the round cone, otherwise [`ACCURATE`].
+/// Whether no residual exceeds the tolerance of an equilibrium: 1e-12 on the round cone, otherwise 1e-10 ([`ACCURATE`]).
 fn accurate(equilibrium: &Equilibrium<3>) -> bool {
     // Tolerance of residuals on the round cone; a larger residual means that Newton's method has not converged.
     let most = if equilibrium.cone == Cone::Round { 1e-12 } else { ACCURATE };

@@ -8,9 +8,9 @@ use crate::serial::AsComputed;
 /// the round cone) is called an equilibrium.
 ///
 /// Residuals are recomputed from points, frames, stiffnesses, commands and load, not from data of the solver. Forces are divided by the largest
-/// contact force or load. If all forces are zero, they are divided by 1e-25 of the least force that the displacements could cause in a spring.
-/// Displacements of a contact are divided by the sum of the sizes of its own displacements. Products of force and displacement are divided by the
-/// product of both sizes. On a load path only the slip since the contact states were last determined is used, for example since the last event.
+/// contact force or load, but at least by 1e-25 of the least force that the displacements could cause in a spring. Displacements of a contact are
+/// divided by the sum of the sizes of its own displacements. Products of force and displacement are divided by the product of these two divisors. On
+/// a load path only the slip since the contact states were last determined is used, for example since the last event.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -27,7 +27,8 @@ pub struct Residuals {
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub springs: f64,
     /// Friction cone: `max(0, -F_n)`, and `max(0, |F_t| - μ F_n)` divided by 1 + μ. On a polygonal cone the largest `h·F_t` over the facet normals h
-    /// takes the place of |F_t|. Only for contacts whose force the cone limits, see [`Hold`](crate::grasp::Hold).
+    /// takes the place of |F_t|. Only for contacts whose force the cone limits: not for contacts that are bonded, and without the first term for
+    /// contacts that are kept closed (see [`Hold`](crate::grasp::Hold)).
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub cone: f64,
     /// Penetration: `max(0, -g)`; `|g|` of a bonded contact.

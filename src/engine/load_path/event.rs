@@ -233,8 +233,8 @@ impl Loss<3> {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum LossKind {
-    /// The load has a smooth maximum while directions of sliding turn on the round cone. In these contact states the equilibrium continues only under
-    /// a smaller load.
+    /// The load has a smooth maximum while directions of sliding turn on the round cone. With the contact states at the maximum the equilibrium
+    /// continues only under a smaller load.
     Fold,
     /// Contacts are on the edge of their cones, and no combination of their states admits rates of forces and motion under the growing load.
     Corner,

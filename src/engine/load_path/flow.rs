@@ -8,10 +8,11 @@
 //! (q', λ') the null vector of [T | -b],     F_t' = C (a' λ' - Gᵀq')_t
 //! ```
 //!
-//! T is the tangent stiffness of the object, and b the right-hand side. Each contact has the tangent stiffness C, the rate a' of the offset of its
-//! springs (commanded displacement minus clearance and slip), and the grasp map G. Thus a fold, where the load factor has a maximum, is passed like
-//! any other point. The balance of forces is linear in all variables, and steps preserve it. A step removes friction forces a little from their
-//! cones. Newton's method transverse to the path puts them back.
+//! T is the tangent stiffness of the object, and b the rate of its load (and of the forces of commands) per unit of λ, so that T q' = b λ'. Each
+//! contact has the tangent stiffness C, the rate a' per unit of λ of the offset of its springs (commanded displacement minus clearance and slip), and
+//! the grasp map G. The rates q', λ' and F_t' are per unit of arclength. Thus a fold, where the load factor has a maximum, is passed like any other
+//! point. The balance of forces is linear in all variables, and steps preserve it. The integration error of a step moves friction forces off the
+//! surfaces of their cones. Newton's method transverse to the path puts them back.
 
 use nalgebra::SVector;
 
@@ -78,8 +79,8 @@ pub(super) struct Flow<'s, 'g> {
     point: &'s PathPoint,
     /// Friction forces of the sliding contacts at the start of the step, N, in the order of `arc.sliding`.
     begin: Vec<SVector<f64, 3>>,
-    /// For each sliding contact: true if its normal force has almost vanished and still decreases. Its friction force must then be computed with
-    /// a smaller error, so that the direction of this force stays accurate.
+    /// For each sliding contact: true if its normal force is at most 1e-7 of the terms whose sum it is, and still decreases. Its friction force must
+    /// then be computed with a smaller error, so that the direction of this force stays accurate.
     vanishing: Vec<bool>,
     /// The largest force, N, and the largest displacement, m, at the start of the step, with which errors are compared.
     sizes: [f64; 2],
@@ -95,7 +96,8 @@ pub(super) struct FlowStep {
     /// Estimated relative error of the step, by [`Flow::error_size`]. It is roughly the larger of two ratios: error of forces to largest force, and
     /// error of the twist to largest displacement. Zero for a straight step.
     pub(super) error: f64,
-    /// Whether, anywhere in the step, some contact slipped against its friction force, or the load factor decreased (unless the load turns).
+    /// Whether, anywhere in the step, some contact slipped against its friction force, or the load factor decreased. While the direction of the load
+    /// turns, a decrease of the load factor does not count.
     pub(super) backwards: bool,
 }
 
@@ -174,8 +176,9 @@ impl<'s, 'g> Flow<'s, 'g> {
         self.arc.sliding.iter().zip(&self.begin).map(move |(i, friction)| (*i, rate((i, friction))))
     }
 
-    /// Makes a step of the arclength `length`. If the load factor at its end is near enough to the goal, the step is extended to end there. `None` if
-    /// the integration does not converge, if friction forces cannot be put back onto their cones, or if the path has no unique direction.
+    /// Makes a step of the arclength `length`. If the load factor at its end is within the distance `goal.near` of `goal.factor`, the step is
+    /// extended to end at this factor. `None` if the integration does not converge, if friction forces cannot be put back onto their cones, or if the
+    /// path has no unique direction.
     pub(super) fn step(&self, length: f64, goal: StepGoal, rule: Rule) -> Option<FlowStep> {
         let mut backwards = false;
         let mut rate = |y: &[f64], out: &mut [f64]| self.rate(y, out).map(|back| backwards |= back);
@@ -337,8 +340,9 @@ impl<'s, 'g> Flow<'s, 'g> {
         let of_forces = of_frictions.chunks_exact(2).map(norm).fold(0.0, f64::max);
         let with_sizes = of_frictions.chunks_exact(2).zip(&self.begin).zip(&self.vanishing);
         let vanishing = with_sizes.filter(|(_, vanishes)| **vanishes).map(|(of_one, _)| of_one);
-        // An error of a friction force is compared with the largest force. For a vanishing friction force, 1e-6 times its error is also compared
-        // with the force itself, which keeps the direction of the force accurate.
+        // An error of a friction force is compared with the largest force. For a vanishing friction force, 1e-6 times its error is also compared with
+        // the force itself. The error of this force's direction is thus at most 1e6 times the allowed error of a step; otherwise it would have no
+        // bound.
         let of_itself = |(error, friction): (&[f64], &SVector<f64, 3>)| 1e-6 * norm(error) / friction.norm();
         let of_themselves = vanishing.map(of_itself).fold(0.0, f64::max);
         let of_load = others[count].abs() * self.arc.load_rate(self.from);
@@ -354,7 +358,7 @@ impl<'s, 'g> Flow<'s, 'g> {
             if !(length > low && length < high) {
                 length = 0.5 * (low + high);
             }
-            // After many trials the distance from the goal within which a step is extended to the goal becomes larger, see [`StepGoal::after`].
+            // After sixteen trials a step may end farther from the goal and still be extended to it, see [`StepGoal::after`].
             let goal_here = StepGoal::after(goal, trial);
             // The allowed error of an implicit rule is multiplied by these factors in turn, since rounding may prevent smaller errors.
             let mut rules = [1.0, 10.0, 100.0, 1000.0].into_iter().map(|times| rule.with_larger_error(times));

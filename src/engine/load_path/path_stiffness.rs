@@ -24,7 +24,8 @@ pub(super) struct NarrowOrder {
 }
 
 impl NarrowOrder {
-    /// The order of the coordinates in which the stiffness matrix is a narrow band. `None` for few coordinates, for which a full matrix is used.
+    /// The order of the coordinates in which the stiffness matrix is a narrow band. `None` with fewer than 36 coordinates, for which a full matrix is
+    /// used.
     pub(super) fn of(size: Size, sites: &[Site]) -> Option<Arc<Self>> {
         if !uses_band(size) {
             return None;
@@ -156,8 +157,8 @@ impl PathStiffness {
             }
         };
         let bordered = Bordered::new(&square, cover, gradient, corner)?;
-        // If the smallest pivot is below the fraction `LINEARLY_DEPENDENT` of the largest, the bordered matrix counts as singular: the path may
-        // continue in more than one direction.
+        // If the smallest pivot is below the fraction `LINEARLY_DEPENDENT` (1e-13) of the largest, the bordered matrix counts as singular: the path
+        // may continue in more than one direction.
         (bordered.least_pivot() > LINEARLY_DEPENDENT).then_some(PathFactors::Whole(bordered))
     }
 }

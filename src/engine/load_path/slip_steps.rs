@@ -1,6 +1,7 @@
 //! A step along a growing load, and the first event in the step. The unknowns are the load factor and the slips of sliding contacts (see `in_slips`).
 //! Arclength is measured along the curve of the slips, divided by a unit of slip, and the load factor. A margin is the distance of a force from the
-//! edge of its friction cone. The conditions of this file have values that must stay positive along a step; [`GROWS`] lists them.
+//! edge of its friction cone. The conditions of this file have values that must stay positive along a step; the comment of [`GROWS`] lists them in
+//! their order.
 
 use super::slip_rates::Slips;
 use super::tolerances::LITTLE_NORMAL_FORCE;
@@ -55,9 +56,11 @@ impl Slips<'_> {
         Some(SlipStep { length, at, rates: there, error, values })
     }
 
-    /// The step `end` from the state and rates `from`, shortened to end where the value of the first condition of the list (see [`GROWS`]) becomes
-    /// zero. Also the index of that condition. Returns the whole step if no value becomes zero. `None` if several values become zero together, or if
-    /// the end of the shortened step is not found.
+    /// The step `end` from the state and rates `from`, if all conditions hold in it. Otherwise the step is shortened to the first event, where the
+    /// value of a condition becomes zero. The index of this condition in the list of [`GROWS`] is returned, too; `None` for the whole step.
+    ///
+    /// The result is `None` if several values become zero together, if a value is not positive at the start, or if the end of the shortened step is
+    /// not found.
     pub(super) fn up_to_an_event(
         &self,
         from: (&[f64], &[f64]),
@@ -68,7 +71,8 @@ impl Slips<'_> {
         if start.iter().any(|value| *value <= 0.0) {
             return None;
         }
-        // If the force of a sticking contact leaves its cone and returns within the step, the step is shortened, at most twenty times.
+        // The force of a sticking contact may leave its cone and return within the step. The step is then shortened to where the force is outside,
+        // and the event is sought again, at most twenty times.
         for _ in 0..20 {
             let mut event = None;
             if let Some(k) = first_crossing(&start, &end.values) {
@@ -84,10 +88,11 @@ impl Slips<'_> {
         None
     }
 
-    /// The step that ends where the value of condition `k` becomes zero, or the value of another condition that becomes zero earlier. Also the index
-    /// of that condition. `None` if thirty trials do not find such a step. Each trial is a step that ends at the root of a cubic polynomial. This
-    /// cubic has the values of condition `k`, and its derivatives with respect to arclength, at both ends of a bracket. As a rule the first trial is
-    /// close enough.
+    /// The step that ends at the first event, where the value of condition `k` becomes zero; if another condition becomes zero earlier, at the zero
+    /// of that one. Also the index of the condition. `None` if thirty trials do not find the zero.
+    ///
+    /// Each trial is a step that ends at the root of a cubic polynomial. This cubic has the values of condition `k`, and its derivatives with respect
+    /// to arclength, at both ends of a bracket. As a rule the first trial is close enough.
     fn located(
         &self,
         from: (&[f64], &[f64]),
@@ -100,7 +105,8 @@ impl Slips<'_> {
         let mut there = high;
         for _ in 0..30 {
             // If the end of the step is within this fraction of its length from the root of the condition, Heun's method moves the end to the root.
-            // The error of this method is of third order in the distance, and then smaller than that of a repeated step.
+            // The error of this method is of third order in the distance, and at so small a distance it is less than the error of one more trial
+            // step.
             let rest = -there.1 / there.2;
             if rest.abs() <= 1e-4 * end.length {
                 return self.moved_to(k, end, rest).zip(Some(k));

@@ -15,8 +15,8 @@ use crate::prelude::*;
 use crate::search::Doubt;
 
 impl<'g> PiecewiseFollower<'g> {
-    /// Advances along the present piece to its end: the first exit, where the present state of a contact ends, or the end of the leg. Stores the
-    /// piece. Returns whether the leg is complete.
+    /// Advances along the present piece to its end: the first exit, where the present state of a contact ends, or the end of the leg. Adds the piece
+    /// to the list of the pieces behind. Returns whether the leg is complete.
     pub(super) fn advance_straight(&mut self, run: &ProgramRun<'g>) -> Result<bool, PathEnd<3>> {
         let Some(point) = self.point.clone() else {
             return Err(run.undecided(self.factor, Doubt::OnTheBoundary));
@@ -76,9 +76,9 @@ impl<'g> PiecewiseFollower<'g> {
         self.segment.state(&point.linear_problem, self.factor + step, Some(&near.twist)).unwrap_or(near)
     }
 
-    /// Corrects `step`, the change of the load factor up to the exits `reached`. As extrapolated from the present state, the step has the rounding
-    /// error of this state. The correction follows from the state at the end of the step, which is solved for directly. A correction that is too
-    /// large is not applied.
+    /// Corrects `step`, the change of the load factor up to the exits `reached`. The step was extrapolated from the present state and has the
+    /// rounding error of this state. The correction follows from the state at the end of the step, which is solved for directly. A correction by more
+    /// than 1e-6 of the load factor (`LARGEST_CORRECTION`) is not applied.
     fn corrected(&self, point: &PathPoint, step: f64, reached: &ExitsReached) -> f64 {
         let mut clearest: Option<(usize, &Exit)> = None;
         for (i, exits) in reached {

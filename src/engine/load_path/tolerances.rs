@@ -20,8 +20,9 @@ pub(super) const AS_WRITTEN: f64 = 1e-6;
 /// If smaller, the equilibrium found differs from the end by rounding only; if larger, the search may find the situation beyond a later event.
 pub(super) const LITTLE_BEYOND: f64 = 1e-6;
 
-/// An object that snaps over moves under a load slightly beyond the end of its path. This distance is proportional to the largest force; in this rule
-/// the largest force is taken as at least this fraction of the imbalance that a whole leg adds at its present rate.
+/// Before an object snaps over, the load factor is raised by a small step beyond the end of its path, so that forces are out of balance. The step is
+/// the fraction [`LITTLE_BEYOND`] of a ratio: the largest force, divided by the imbalance per unit of the load factor. The ratio is taken as at least
+/// this number.
 ///
 /// If smaller, an object without force at the end of its path is moved under the same load again and again. If larger, it may be moved under a load
 /// beyond a later event.

@@ -33,9 +33,9 @@ pub(super) struct BoundedCubic {
     allowed_violation: f64,
 }
 
-/// The least fraction of a step at which a sticking or open contact clearly violates the condition of its state; the condition may hold again at the
-/// end. If the step is too long to decide this for a contact, one half is taken as its fraction. `None` if all conditions hold within the step. Rates
-/// at both ends are per unit of arclength, and `length` is the arclength of the step.
+/// The least fraction of a step at which a sticking or open contact violates the condition of its state by more than the allowed error; the condition
+/// may hold again at the end. If the step is too long to decide this for a contact, one half is taken as its fraction. `None` if all conditions hold
+/// within the step. Rates at both ends are per unit of arclength, and `length` is the arclength of the step.
 pub(super) fn first_dip(
     segment: &Segment<'_>,
     states: &[State],

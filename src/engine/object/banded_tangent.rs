@@ -1,7 +1,8 @@
-//! The linear problem in known contact states for 36 or more coordinates of the twist q, of which every contact couples only a few. Contact i has the
-//! grasp map G_i and the tangent stiffness C_i. Row r of the matrix A is the scaled stretch of spring r per unit of each coordinate. Row r of B is
-//! the direction in which this spring pushes (see `linear_problem`). The tangent stiffness is T. Under the load W, scaled spring forces x at zero
-//! motion become x - A q:
+//! Solves the linear problem of a grasp with known contact states (open, sticking or sliding) and at least 36 coordinates in its twist q. Every
+//! contact couples only a few of them. Contact i has the grasp map G_i and the tangent stiffness C_i. Row r of the matrix A is the stretch of spring
+//! r per unit of each coordinate, times the square root of its stiffness (the scaled stretch). Row r of B is the direction in which this spring
+//! pushes, with the same factor. The tangent stiffness is T. Under the load W, scaled spring forces x (forces divided by the root of the stiffness)
+//! at zero motion become x - A q:
 //!
 //! ```text
 //! T = BᵀA = Σ G_i C_i G_iᵀ,      T q = Bᵀx + W,      x - A q
@@ -10,7 +11,8 @@
 //! T has an entry for every two coordinates that a contact couples; a suitable order puts these entries near its diagonal. LU factors of T take a few
 //! thousandths of the time of orthogonal factors of A and B. But they lose twice as many digits if stiffnesses differ widely. Iterative refinement in
 //! twice the working precision restores the digits, or shows that it cannot. A singular T is accepted if its null vectors stretch no spring, and the
-//! springs leave equally many loads unbalanced. Every other nearly singular T is left to orthogonal factors.
+//! loads that the springs cannot balance span a space of the same dimension as the null vectors. Every other nearly singular T is left to orthogonal
+//! factors.
 
 use crate::numerics::{
     Band, BandFactors, Size, Vector, generic, mapped, moved, narrow_order, numbered, summed, widest,
@@ -53,7 +55,7 @@ pub(super) struct SpringLists {
     coordinates: Vec<usize>,
     /// For each contact the index of its first entry in `coordinates`; the last number is the length of `coordinates`.
     first: Vec<usize>,
-    /// For each contact the number of its springs in its state.
+    /// For each contact the number of its springs. It depends on the contact's state: an open contact has none.
     pub(super) counts: Vec<usize>,
     /// For each contact the index of its first number in [`SpringRows::rows`]; the last entry is the length of that list.
     first_rows: Vec<usize>,
@@ -74,7 +76,7 @@ pub(super) struct SpringRows {
 
 impl BandedTangent {
     /// The factorised tangent stiffness of these contacts and their springs. `first_springs` holds the index of the first spring of each contact and,
-    /// last, the number of springs. `None` with too few coordinates for a band ([`uses_band`]), or if a pivot is not finite.
+    /// last, the number of springs. `None` with fewer than 36 coordinates ([`uses_band`]), or if a pivot is not finite.
     pub(super) fn new(sites: &[Site], springs: &[Spring], first_springs: &[usize]) -> Option<Self> {
         let count = size_of(sites).count();
         if !uses_band(size_of(sites)) {
@@ -155,8 +157,8 @@ impl BandedTangent {
         self.respond(&mut vec![0.0; self.springs.counts.iter().sum()], load)
     }
 
-    /// Displacements of the coordinates if the springs of a contact push with the scaled `forces` and no other load acts. They are in the order in
-    /// which the stiffness matrix is a narrow band.
+    /// Displacements of the coordinates if the springs of a contact push with the scaled `forces` and no other load acts. The displacements are in
+    /// the order of the coordinates in which the stiffness matrix is a narrow band.
     pub(super) fn displacements_under(&self, contact: usize, forces: &[f64]) -> Vec<f64> {
         let pushes = self.pushes.as_ref().unwrap_or(&self.stretches);
         let mut q = vec![0.0; self.numbers.len()];
@@ -169,8 +171,8 @@ impl BandedTangent {
         q
     }
 
-    /// The sum of the scaled stretches of a contact's springs, each times its entry of `times`, under the displacements `displacements` of the
-    /// coordinates. These are in the order in which the stiffness matrix is a narrow band.
+    /// The sum of the scaled stretches of a contact's springs, each times its entry of `times`. The stretches are those under the displacements
+    /// `displacements` of the coordinates, which are in the order in which the stiffness matrix is a narrow band.
     pub(super) fn weighted_stretch(&self, contact: usize, times: &[f64], displacements: &[f64]) -> f64 {
         let mut sum = 0.0;
         self.springs.of(contact, |k, coordinates, range| {

@@ -22,8 +22,8 @@ pub(super) struct Limited {
 /// The directions in which a contact may slide, according to the shape of its friction cone.
 enum SlideDirections {
     Never,
-    /// In the plane: two facets of the friction cone, by index. The first limits friction along -t, the second along +t. `None` if there is no such
-    /// facet, so that friction in this direction has no limit.
+    /// In the plane: two facets of the friction cone, by index. The first limits friction along -t, the second along +t, with the tangent t of the
+    /// contact frame. `None` if there is no such facet, so that friction in this direction has no limit.
     Along([Option<u16>; 2]),
     /// In space: the contact may slide on the facets `h·F_t = r` of a polygonal friction cone, with outward normals h and the friction limit r.
     /// `corners` are the corners of the polygon for r = 1.
@@ -77,8 +77,8 @@ impl Limited {
         };
         let keeps = opens && stiffness[1] > 0.0 && matches!(slides, SlideDirections::Never);
         let is_rate = matches!(local.law, Law::Edge(_));
-        // In space Tresca friction needs a complete friction polygon. In a rate problem the facets of a contact on the edge of its friction cone
-        // do not form a polygon.
+        // The force of a contact on the edge of its cone in a rate problem is limited by single facets at this edge. In space they form neither a
+        // complete polygon nor a round cone, one of which is necessary here.
         (!keeps && (local.is_planar() || !is_rate)).then_some(Self {
             stiffness,
             offset,

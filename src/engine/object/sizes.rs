@@ -18,8 +18,8 @@ pub(crate) fn least_spring_force(sites: &[Site], spans: impl Iterator<Item = f64
     sites.iter().zip(spans).map(|(site, span)| site.springs.softest() * span).fold(f64::INFINITY, f64::min)
 }
 
-/// The largest of the norm `load` and the sizes `forces` of contact forces, N, but at least [`NO_FORCE`] times [`least_spring_force`]. Without this
-/// lower bound, forces that are rounding errors would be compared with other rounding errors.
+/// The largest of the norm `load` and the sizes `forces` of contact forces, N, but at least [`NO_FORCE`] (1e-25) times [`least_spring_force`].
+/// Without this lower bound, forces that are rounding errors would be compared with other rounding errors.
 pub(crate) fn largest_force(
     sites: &[Site],
     offsets: &[SVector<f64, 3>],

@@ -68,7 +68,8 @@ pub(super) fn propose_of_the_leaving(
         if among.is_empty() {
             return Some(base.states);
         }
-        // In a run that starts from the states of Tresca friction, at most 400 contacts pivot, neighbours included.
+        // In a run that starts from the states of Tresca friction, at most 400 contacts pivot. This includes contacts that share coordinates with
+        // others that pivot (see `with_neighbours`).
         if let Some(states) = pivoted(problem, scene.settings, (base, among, 400), log) {
             return Some(states);
         }
@@ -95,8 +96,8 @@ pub(super) fn propose_near_a_similar_one(
     }
 }
 
-/// Contact states from Lemke's method on the contacts `among`, by index. If the method finds no solution, the neighbours of these contacts pivot
-/// as well, up to `most` contacts altogether.
+/// Contact states from Lemke's method on the contacts `among`, by index. If the method finds no solution, the neighbours of these contacts (contacts
+/// that share coordinates with them) pivot as well, up to `most` contacts altogether. `None` if the method still finds no solution.
 fn pivoted(
     problem: &Problem,
     settings: &Settings,
@@ -151,7 +152,7 @@ fn with_neighbours(problem: &Problem, among: &[usize]) -> Vec<usize> {
 }
 
 /// Makes further contacts stick until the tangent stiffness is regular. For each motion along which the tangent stiffness is singular, the contact
-/// that moves most begins to stick; contacts that stick already are not considered. `None` if the tangent stiffness is still singular after all
+/// that moves most begins to stick; contacts that stick already are not considered. `None` if the tangent stiffness is still singular after eight
 /// rounds.
 fn regular(problem: &Problem, mut states: Vec<State>) -> Option<Vec<State>> {
     for _ in 0..8 {

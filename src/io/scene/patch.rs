@@ -1,5 +1,5 @@
-//! Soft fingertips in the text of a scene: kind, size and resolution of their patch. A patch is an area of contact points that takes the place of a
-//! single contact.
+//! Soft fingertips in the text of a scene: shape, size and number of points of their patch. A patch is an area of contact points that takes the place
+//! of a single contact.
 
 use serde::{Deserialize, Serialize};
 
@@ -65,7 +65,7 @@ impl FingertipPatch {
     /// The patch of points that takes the place of a contact.
     ///
     /// # Errors
-    /// [`Error::Fingertip`] for a number out of range, and for a patch of the plane in space or the reverse.
+    /// [`Error::Fingertip`] for a number out of range, for a pair or a pad in space, and for a ring, a disc or a rectangle in the plane.
     pub fn spread<const C: usize>(&self) -> Result<SoftFingertip<C>, Error> {
         self.spread_inside(if C == 2 { Space::Planar } else { Space::Spatial }).map(Face::from_inside)
     }

@@ -65,9 +65,9 @@ impl ActiveSet {
 }
 
 impl LocalLaw<'_> {
-    /// The law for the rates of force and stretch, per change of the load, of a contact with this active set. It is [`Law::Bonded`] if the force lies
-    /// inside the cone, or if no conditions limit the force. It is [`Law::Edge`] on facets, and the whole contact law at the apex. For an open
-    /// contact with a positive gap it is [`Law::Absent`].
+    /// The law for the rates of force and stretch, per change of the load, of a contact with this active set. Inside the cone, or if no conditions
+    /// limit the force, the springs act without conditions ([`Law::Bonded`]). On facets only the conditions of these facets apply ([`Law::Edge`]),
+    /// and at the apex the whole contact law. An open contact with a positive gap stays without force ([`Law::Absent`]).
     pub(crate) fn law_of_rates(&self, active: &ActiveSet, state: &State) -> Law {
         if !self.has_edges() {
             Law::Bonded
@@ -169,8 +169,9 @@ impl LocalLaw<'_> {
         state.own_facets(facets.len()).iter().any(|own| own.is_some_and(|j| facets[j] == *facet))
     }
 
-    /// Whether the force rate `rate` moves the force of a sticking contact along a tangent of the round cone. The force is on the edge of this cone.
-    /// A tangent leads out of the cone, thus the contact begins to slide, perhaps with a slip rate of zero.
+    /// Whether the force of a sticking contact on the edge of the round cone moves along a tangent of the cone, at the force rate `rate`. A tangent
+    /// leads out of the cone, thus the contact begins to slide, perhaps with a slip rate of zero. The rounding error of `rate` is proportional to
+    /// `size`.
     pub(crate) fn grazes(&self, state: &State, rate: &SVector<f64, 3>, size: f64) -> bool {
         let (Law::Edge(facets), Mode::Sticking) = (self.law, state) else { return false };
         let (p, cone) = (&facets[0], self.cone());

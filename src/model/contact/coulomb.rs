@@ -35,13 +35,14 @@ impl Coulomb {
         self.mu > 0.0 && self.mu.is_finite()
     }
 
-    /// This cone, or for infinite friction a cone with a very large finite coefficient, which has facets.
+    /// This cone. For infinite friction, which has no facets, a cone with a very large finite coefficient instead.
     pub(crate) fn with_edges(self, springs: &Compliance) -> Self {
         if self.mu.is_finite() {
             return self;
         }
         // A contact with infinite friction needs facets only to lose its tangential force when it opens, at the apex of the cone. The coefficient is
-        // so large that the contact does not slide before. If the normal spring is stiffer than the tangential springs, it grows with √(k_n/k_t).
+        // so large that the contact does not slide before it opens. If the normal spring is stiffer than the tangential springs, the coefficient
+        // grows with √(k_n/k_t).
         Self { mu: 1e8 * springs.ratio_to_the_last().sqrt().max(1.0) }
     }
 

@@ -242,8 +242,13 @@ impl LocalLaw<'_> {
     }
 
     /// Two narrower labels (restrictions of the contact's states) that together allow the same states as `label`. `stretch` and `force` lie in the
-    /// hull of `label`, but may violate the contact law, which requires friction along the slip. A sector of friction directions is therefore cut
-    /// between the directions of the friction force and of the slip, or halved if it is wide. `None` if the label cannot be divided.
+    /// hull of `label`, but may violate the contact law, which requires friction along the slip. The division should exclude this pair from both new
+    /// hulls.
+    ///
+    /// A label without a sector is divided into open and closed, or into two sectors of friction directions. A sector of a sticking contact is
+    /// halved. Any other sector is cut between the directions of the friction force and of the slip, or halved if it is wide. If the size of the
+    /// friction force violates the law more than its direction, the label is divided into sticking and sliding. `None` if the label cannot be
+    /// divided.
     pub(crate) fn divide(
         &self,
         label: &Label,
@@ -254,8 +259,9 @@ impl LocalLaw<'_> {
         let slip = self.springs.slip(stretch, force);
         let (traction, friction) = (tangential_norm(&pushed), tangential_norm(force));
         let angle = |x: &SVector<f64, 3>| x[2].atan2(x[1]);
-        // A friction force below the fraction `SOLVED_ROUNDING` of normal force and traction counts as a rounding error and has no direction. So does
-        // a slip whose product with the stiffness is below this fraction of friction and traction.
+        // A friction force below the fraction `SOLVED_ROUNDING` of the normal force and of `traction` counts as a rounding error and has no
+        // direction. A slip counts as a rounding error if its product with the stiffness is below this fraction of the friction force and of
+        // `traction`. `traction` is the tangential force that the springs would have if the contact stuck, N.
         let towards = if friction > SOLVED_ROUNDING * (force[0].abs() + traction) {
             angle(force)
         } else {
@@ -282,13 +288,14 @@ impl LocalLaw<'_> {
                 let limit = self.friction.limit(force[0]).min(traction);
                 let turned = friction * (a - b).abs().min(1.0);
                 let width = sector.width();
-                // Sectors wider than this angle are halved. Narrower sectors are cut between the directions of friction and slip.
+                // Sectors wider than this angle are halved, because the convex hull of more than a half turn contains friction in every direction.
+                // Narrower sectors are cut between the directions of friction and slip.
                 let wide = 1.1 * PI;
                 if matches!(label, Label::Friction(_)) && (limit - friction).abs() > turned && width < wide {
                     return Some([Label::Sticking(sector), Label::Sliding(sector)]);
                 }
                 let part = if width > wide { 0.5 } else { 0.5 * (a + b) / width };
-                // A cut leaves at least this fraction of the sector on either side.
+                // A cut leaves at least this fraction of the sector on either side, so that sectors become small after a limited number of cuts.
                 let least_part = 0.15;
                 let middle = sector.from + width * part.clamp(least_part, 1.0 - least_part);
                 let label =

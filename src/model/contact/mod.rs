@@ -22,7 +22,7 @@
 //! | `edges` | the conditions on the force of a sticking contact, and which of them a set of forces violates most |
 //! | `exits` | the step along a straight line of forces at which a contact leaves its state |
 //! | `turning_exits` | the angle of a turning load at which a contact leaves its state |
-//! | `active_set` | the edges reached at an event, and the law of the rates just after the event |
+//! | `active_set` | the edges of the friction cone that the force reaches as its state changes, and the law of the rates just after the change |
 //! | `tolerances` | limits below which a quantity counts as zero |
 
 mod active_set;

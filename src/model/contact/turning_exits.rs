@@ -1,4 +1,4 @@
-//! The angle by which a load can turn before a contact leaves its state. The point at which it does so is called an exit.
+//! The angle by which a load can turn before a contact leaves its state. The end of a contact's state under a turning load is called an exit.
 //!
 //! As long as no contact changes its state, a contact force is `F(φ) = F₀ + F_c cos φ + F_s sin φ` at the angle φ of the load. Gaps, and friction
 //! margins `μ F_n - h·F_t` at facets with normal h, have the same form. On the round cone `(μF_n)² - |F_t|²` is a trigonometric polynomial of degree

@@ -25,7 +25,7 @@ impl<const C: usize> Wrench<C> {
         }
         let twisted = dot(force, moment).abs();
         // A load is a single force along some line if its moment m is normal to its force f. It counts as normal if `|f·m|/(|f||m|)` is at most
-        // `SOLVED_ROUNDING`.
+        // `SOLVED_ROUNDING` (1e-12).
         (twisted <= SOLVED_ROUNDING * force_size * moment_size).then_some((force_size, "N"))
     }
 }
@@ -83,8 +83,8 @@ impl Words {
     fn motion_text(self, twist: &Twist<3>, points: Option<(SVector<f64, 3>, f64)>) -> String {
         let (along, omega) = twist.parts_in(self.space::<3>());
         let (mean, spread) = points.unwrap_or((along, 0.0));
-        // The object turns if rotation moves its points by more than the fraction NEGLIGIBLE of their mean displacement. Rotation must also move
-        // them by more than the length `nowhere`, m, which is smaller than an atomic nucleus.
+        // The object turns if rotation moves its points by more than the fraction `NEGLIGIBLE` (1e-9) of their mean displacement. Rotation must also
+        // move them by more than the length `nowhere`, m, which is smaller than an atomic nucleus.
         let nowhere: f64 = 1e-15;
         let turns =
             omega.size() > 0.0 && (points.is_none() || spread > nowhere.max(NEGLIGIBLE * mean.norm()));

@@ -284,7 +284,8 @@ impl<const C: usize> Grasp<C> {
         self.engine.loaded_bodies()
     }
 
-    /// The verdict on a load, and facts about its load path (see [`PathFacts`]). `extent` says which fields of the verdict are computed.
+    /// The verdict on a load. Also [`PathFacts`]: how near the load path comes to the limits of small motions, its equilibrium at rest, and its
+    /// number of jumps. `extent` says which fields of the verdict are computed.
     pub(crate) fn hold_to_an_extent(
         &self,
         load: &Ramp<C>,
@@ -420,7 +421,7 @@ impl<const C: usize> Bodies<C> {
     }
 }
 
-/// The engine of a grasp without joints. A contact with a given normal force is put on a slide, a prismatic joint without a spring. There its force
+/// The engine of a grasp without joints. A contact with a given normal force is carried by a prismatic joint without a spring, along which the force
 /// stays constant however the contact moves.
 fn engine_of_contacts(contacts: Vec<Contact<3>>) -> Result<Engine, Error> {
     if contacts.iter().any(|contact| contact.force.is_some()) {

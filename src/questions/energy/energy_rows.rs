@@ -1,4 +1,5 @@
-//! Conditions on contact forces (gap conditions, facets of friction cones) in energy coordinates, with their values if everything sticks.
+//! Conditions on contact forces in energy coordinates, with their values if everything sticks. A condition is that a normal force is not negative, or
+//! that a force is inside a facet of its friction cone.
 //!
 //! Let F be the contact forces, K the stiffness and G the grasp map. Energy coordinates are `x = K^{-1/2} F`. In them every condition `n·x >= 0` on
 //! one contact's force has a normal n of unit length, so that ratios of stiffnesses cancel. With the orthogonal factor Q of `K^{1/2}Gᵀ = Q R`,

@@ -16,7 +16,7 @@ use crate::search::Settings;
 impl Engine {
     /// The brief verdict (without equilibria and proofs) from a path with the slips of contacts as unknowns. In these cases it returns `None`, and
     /// the caller follows the full load path: a contact opens or stops sliding, no contact slides, or the grasp buckles. `None` also if rounding
-    /// could change the verdict, because the load factor of the first slip or of the end of the path is nearly 1.
+    /// could change the verdict, because the load factor of the first slip or of the end of the path is 1 up to rounding.
     pub(super) fn held_in_slips(
         &self,
         ramp: &Ramp<3>,

@@ -121,13 +121,15 @@ impl<const C: usize> fmt::Display for Verdict<C> {
 }
 
 impl<const C: usize> Verdict<C> {
-    /// Whether the forces take all resistance away, and only the unknown point of action of the load can still steady the object.
+    /// Whether the grasp seems to buckle: the contact forces take away all resistance of the springs. Whether it does remains open, because the point
+    /// of action of the load is unknown, and this point may be such that the load steadies the object.
     pub(super) fn leaves_buckling_open(&self) -> bool {
         let is_held = matches!(self.holding, Holding::Sticks | Holding::Slides { .. });
         is_held && self.left_out.is_some_and(|part| part <= -1.0)
     }
 
-    /// The clause about forces that take away resistance, as they turn with the parts; their fraction is [`Verdict::left_out`].
+    /// The clause about contact forces that turn with the parts they act on, and thereby add to the resistance of the springs or take from it.
+    /// [`Verdict::left_out`] has the change as a fraction of this resistance; it is negative if the forces take from it.
     fn taken_by_forces(&self) -> String {
         let (part, words) = (self.left_out.unwrap_or_default(), Words::with_digits(2));
         let (verb, times) = if part > 0.0 {
@@ -141,7 +143,8 @@ impl<const C: usize> Verdict<C> {
         format!("as the forces turn with the parts they act on, they {verb} {times} what resists")
     }
 
-    /// Writes the caution about the geometric stiffness ([`Verdict::left_out`]), which small motions neglect, if the verdict has that number.
+    /// Writes the caution about the geometric stiffness (the change of contact forces as the parts turn), which the theory of small motions neglects.
+    /// Writes nothing if [`Verdict::left_out`] is `None`, or if it only remains open whether the grasp buckles.
     fn write_caution(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Some(part) = self.left_out.filter(|_| !self.leaves_buckling_open()) else { return Ok(()) };
         let nothing_stays = if part <= -1.0 { ", so that nothing stays" } else { "" };
@@ -170,8 +173,8 @@ impl<const C: usize> Verdict<C> {
         write!(f, ": {lost:.digits$}")
     }
 
-    /// The sentence if motions cease to be small. It begins with gross slip if all contacts slide before; the motion that is too large follows in
-    /// either case.
+    /// The sentence about motions that cease to be small. If the loss counts as gross slip, the sentence begins with the load from which all contacts
+    /// slide. Then it names the motion that exceeds its limit, if a motion and not another quantity does.
     fn write_small_motion_limit(
         &self,
         lost: &Lost<C>,
@@ -238,8 +241,8 @@ impl<const C: usize> Verdict<C> {
         }
     }
 
-    /// Writes the pull of each strap or rope under the whole load: "; strap pulls with 2668 N". Nothing if there are more straps and ropes than
-    /// [`MOST_NAMES`].
+    /// Writes the pull of each strap or rope under the whole load: "; strap pulls with 2668 N". Writes nothing if there are more than eight straps
+    /// and ropes ([`MOST_NAMES`]).
     fn cables(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let all = self.state.as_ref().map_or(&[][..], |state| &state.contacts);
         let cables = picked(all, &|one| (one.contact.link == Some(LinkKind::Cable)).then_some(one));

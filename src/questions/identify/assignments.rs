@@ -134,7 +134,8 @@ pub(super) fn assigned(model: &Model<'_>, first: Fitted) -> Result<Identified, E
     let (best, others) = fits.split_at(1);
     let mut as_good: Vec<&Fitted> = vec![&best[0]];
     as_good.extend(others.iter().filter(|other| !fits_better(model, &best[0], other)));
-    // A fit at which two contacts slip at once lies on the kink between two assignments. Such fits are discarded if several others fit as well.
+    // A fit at which two contacts slip at once lies on the kink between two assignments. Such fits are discarded if at least two equally good fits
+    // lie beside a kink.
     let mut beside: Vec<&Fitted> = Vec::new();
     for fit in &as_good {
         let mut is_on_a_kink = false;
@@ -162,7 +163,8 @@ fn weakened(model: &Model<'_>, logs: &[f64], (weak, strong): (usize, usize), hal
     begin[strong] = high;
     begin[weak] = low;
     for k in (0..begin.len()).filter(|k| *k != weak) {
-        // Another unknown of this kind that is as small as `weak` is doubled; else its contact would slip together with the contact of `weak`.
+        // Another unknown of the same kind as `weak` that equals the smaller of the two values is doubled. Otherwise its contact would slip together
+        // with the contact of `weak`.
         if (begin[k] - low).abs() <= INDISTINCT && unknowns[k].kind == unknowns[weak].kind {
             begin[k] = low + LN_2;
         }
@@ -185,9 +187,9 @@ fn pairs_of(model: &Model<'_>) -> Vec<(usize, usize)> {
     pairs
 }
 
-/// At most [`MOST_PAIRS`] pairs of unknowns whose exchange may lead to another assignment. For such a pair some slip depends on one of the two
-/// unknowns alone. No slip may depend on both, because it would distinguish them, unless the slips leave some unknown undetermined. Pairs are listed,
-/// too, if the fit ended on a kink of the predicted loads where both unknowns are equal.
+/// At most ten pairs ([`MOST_PAIRS`]) of unknowns whose exchange may lead to another assignment. A pair is listed if some slip depends on one of its
+/// unknowns and not on the other, while no slip depends on both. A slip that depends on both would tell the two unknowns apart; it does not matter if
+/// the slips leave some unknown undetermined. A pair is listed, too, if the fit ended on a kink of the predicted loads where both unknowns are equal.
 fn pairs(model: &Model<'_>, fit: &Fitted) -> Result<Vec<(usize, usize)>, Error> {
     let mut pairs = Vec::new();
     let Some(linear) = fit.linear.as_ref().filter(|_| matches!(fit.end, FitEnd::Converged)) else {

@@ -40,7 +40,7 @@ pub(super) struct Scatter {
     pub(super) rows: Vec<f64>,
     /// Estimated from the residuals: the standard deviation common to all slips or, if standard deviations are given, a common factor on them.
     pub(super) scale: f64,
-    /// Whether `rows` contain the factor `scale`. They do if no standard deviations are given, or if the residuals clearly exceed the given ones.
+    /// Whether `rows` contain the factor `scale`. They do if no standard deviations are given, or if the residuals exceed the given ones at 95 %.
     pub(super) is_estimated: bool,
     /// Degrees of freedom: the number of observations minus the number of combinations of unknowns that they determine.
     pub(super) degrees: usize,
@@ -157,10 +157,12 @@ pub(super) fn fitted(model: &Model<'_>) -> Result<Fitted, Error> {
     Ok(fit)
 }
 
-/// A start for a second search; `None` if `fit` needs none. It is needed if the predicted load of some slip differs from the observed one, but
-/// depends on no unknown that [`changing`] selects: on no friction, for example. Example: the model predicts that a box tips, whereas with less
-/// friction it would slide before. The selected unknowns are halved if the slip was observed below its prediction, else doubled, until the prediction
-/// depends on them; at most twelve times.
+/// A start for a second search; `None` if `fit` needs none. In the search for a start some unknowns may be multiplied ([`changing`]): coefficients of
+/// friction or, if no friction is unknown, squeezes and carried forces. A second search is needed if the predicted load of some slip differs from the
+/// observed one, but depends on none of these unknowns. Example: the model predicts that a box tips, whereas with less friction it would slide
+/// before.
+///
+/// These unknowns are halved if the slip was observed below its prediction, else doubled, until the prediction depends on them; at most twelve times.
 fn off_the_plateau(model: &Model<'_>, fit: &Fitted) -> Result<Option<(Vec<f64>, Linear)>, Error> {
     let (changes, Some(here)) = (changing(model), &fit.linear) else { return Ok(None) };
     let is_flat = |linear: &Linear, k: usize| {
@@ -189,7 +191,7 @@ impl Fitted {
 }
 
 /// The logarithms of the unknowns with the least loss, by a search from the logarithms `begin` at which the model predicts all slips. If the
-/// residuals clearly exceed the given standard deviations, these are multiplied by a common factor, and the search continues.
+/// residuals exceed the given standard deviations at 95 %, these deviations are multiplied by a common factor, and the search continues.
 pub(super) fn fitted_from(model: &Model<'_>, begin: Vec<f64>, linear: Linear) -> Result<Fitted, Error> {
     let mut fit = fitted_with(model, begin, linear, false)?;
     if !fit.scatter.is_estimated

@@ -10,8 +10,8 @@ use crate::numerics::{increasing, moved, picked, sort_by_number};
 use crate::prelude::*;
 
 /// Searches for a sufficient amount between the insufficient amounts in `vain`. The search starts near the amount with which most of the load is
-/// carried. Then it divides the widest of the intervals between tried amounts, again and again. Only intervals near `begin`, the first amount of the
-/// whole search, are divided.
+/// carried. Then it divides the widest of the intervals between tried amounts, again and again. Only intervals between 1/16 and 16 times `begin`, the
+/// first amount of the whole search, are divided.
 pub(super) fn refined(
     tries: TrialFunctions<'_>,
     plan: &SearchPlan,
@@ -22,8 +22,8 @@ pub(super) fn refined(
         return Ok(Some(sufficient));
     }
     let near = |at: f64| begin / FAR_FROM_START <= at && at <= begin * FAR_FROM_START && plan.contains(at);
-    // The trials suffice to divide the range from 1 / [`FAR_FROM_START`] to [`FAR_FROM_START`] times `begin` twice per factor of two. With fewer,
-    // intervals of sufficient amounts are missed.
+    // The trials suffice to divide the range from 1/16 to 16 times `begin` ([`FAR_FROM_START`] is 16) twice per factor of two. With fewer, intervals
+    // of sufficient amounts are missed.
     for _ in 0..4 * NEAR_DOUBLINGS {
         let mut amounts = picked(vain, &|(at, _)| Some(*at).filter(|at| near(*at)));
         sort_by_number(&mut amounts, &|at| *at);

@@ -1,5 +1,6 @@
-//! The normal forces with which the contacts press at rest, for a given multiple of the squeeze. At rest means under the loads that act before the
-//! loads of the question. The squeeze is all that presses without a load. A drive (motor, clutch or tendon of a joint) yields at its limit.
+//! The normal forces with which the contacts press at rest, for a given multiple of the squeeze, or of the overlaps of contacts if these are sought.
+//! At rest means under the loads that act before the loads of the question. The squeeze consists of all commands, constant forces and torques,
+//! tensions and vacuums. A drive (motor, clutch or tendon of a joint) yields at its limit.
 
 use super::checked_need::{CheckedNeed, Sought};
 use super::press::{ContactPress, force_set, pressure_of_cup};
@@ -11,12 +12,12 @@ use crate::numerics::mapped;
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::prelude::*;
 
-/// The normal force of each contact with the squeeze multiplied by `squeeze`, N, and the names of the joints and tendons whose drives are at their
-/// limit.
+/// The normal force of each contact with the squeeze (or the overlaps) multiplied by `squeeze`, N, and the names of the joints and tendons whose
+/// drives are at their limit.
 ///
-/// The forces are those without any load. The forces under the load at rest replace them in two cases: no equilibrium without load is known, or none
-/// of the contacts with a command, force or vacuum of its own presses in it. If neither equilibrium is known, the given forces are returned if they
-/// alone press; else the list is empty.
+/// The forces are those without any load. The forces under the load at rest replace them in two cases: no equilibrium without load is known, or in
+/// this equilibrium none of the contacts with a command, force or vacuum of its own presses. If neither equilibrium is known, the answer depends on
+/// these contacts. If each of them has a given constant force, these forces are returned; otherwise the list is empty.
 pub(super) fn presses(
     grasp: &Grasp<3>,
     squeeze: f64,
@@ -45,7 +46,7 @@ pub(super) fn presses(
     };
     let loads = [Wrench::ZERO, base];
     for load in &loads[usize::from(base == Wrench::ZERO)..] {
-        // Contacts that slide at rest may have kinetic friction, which a path takes into account.
+        // Contacts that slide at rest may have kinetic friction. A load path takes it into account; a direct search for an equilibrium does not.
         let Some(state) = squeezed.follow(*load, &[])?.state() else { continue };
         let presses = list(&|i| state.contacts[i].force[0]);
         let mut set = presses.iter().filter(|press| press.is_set).peekable();

@@ -35,7 +35,7 @@ pub(super) enum SearchExtent {
     /// A search in both directions for a safe amount. The value has the far end, and its insufficient neighbour, that were found with friction,
     /// squeeze and loads as given; `None` if no far end was found. The search tries these two amounts to find the far end of the safe amounts.
     Everywhere(Option<[f64; 2]>),
-    /// A search among a few easier amounts only, such as more squeeze or less load.
+    /// A search among easier amounts only, such as more squeeze or less load, in few trials.
     Towards,
 }
 
@@ -139,8 +139,8 @@ impl<'q> TrialRecord<'q> {
         Ok(if short { loading.short() } else { loading })
     }
 
-    /// The contact states at rest with the nearest amount for which an equilibrium at rest is known. Empty if there is none, and for a grasp with few
-    /// coordinates.
+    /// The contact states at rest with the nearest amount for which an equilibrium at rest is known. Empty if there is none, and for a grasp with
+    /// fewer than 36 coordinates, which needs no start.
     fn rests_near(&self, amount: f64) -> Vec<State> {
         if !uses_band(self.grasp.engine.size()) {
             return Vec::new();
@@ -164,8 +164,8 @@ impl<'q> TrialRecord<'q> {
     }
 
     /// The amount between a sufficient and an insufficient one at which the first contact at rest changes its state. Each state has margins (of gap,
-    /// normal force, friction or slip), and ends where one of them is zero. The margins are extrapolated from `sufficient` and the nearest amounts on
-    /// its far side with the same contact states. `None` if there is no such amount.
+    /// normal force, friction or slip), and ends where one of them is zero. The margins are extrapolated from `sufficient` and from the nearest
+    /// amounts with the same contact states beyond it, on the side away from `insufficient`. `None` if there is no such amount.
     pub(super) fn rest_ends(&self, sufficient: f64, insufficient: f64) -> Option<f64> {
         let lists = [self.known.borrow(), self.quick.borrow()];
         let mut behind = rests(&lists);

@@ -4,21 +4,21 @@ use super::block::{Layout, MOST_SCREENED};
 use super::finger::Force;
 use super::lanes::Packed;
 
-/// The forces of all contacts, or their derivatives with respect to the load factor. The array has room for five contacts by default, or as many as
-/// `A` holds.
+/// The forces of all contacts, or their derivatives with respect to the load factor. The array has room for five contacts by default, or for as many
+/// as the array type `A` holds.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Forces<const C: usize, X: Packed, A: ?Sized = [Force<C, X>; MOST_SCREENED]> {
     /// The load that the contact forces leave unbalanced, relative to the forces and moments that act; NaN if no forces were found.
     pub(super) unbalanced: X,
     /// Positive if the load does positive work along a motion that no contact resists; else zero.
     pub(super) free: X,
-    /// The motion of the object about the centroid of its contacts that goes with these forces; zero unless forces were found by
-    /// [`Method::Motions`](super::method::Method::Motions).
+    /// The motion of the object about the centroid of its contacts from which these forces follow. Zero unless the forces were computed from
+    /// stiffnesses, with the motion as the unknown ([`Method::Motions`](super::method::Method::Motions)).
     pub(super) motion: [X; 6],
     pub(super) of: A,
 }
 
-/// The forces of any number of contacts. Kernels take this type, so that they are compiled once for all numbers of contacts.
+/// The forces of any number of contacts. Functions that compute forces take this type, so that they are compiled once for all numbers of contacts.
 pub(super) type AnyForces<const C: usize, X> = Forces<C, X, [Force<C, X>]>;
 
 impl<const C: usize, X: Packed, const M: usize> Forces<C, X, [Force<C, X>; M]> {
@@ -45,8 +45,8 @@ impl<const C: usize, X: Packed> AnyForces<C, X> {
         self.of.fill(Force::none());
     }
 
-    /// Adds the forces `others` of the first `contacts` contacts to these forces. The rounding bounds of these forces are first multiplied by
-    /// `rounding`.
+    /// Adds the forces `others` of the first `contacts` contacts to these forces. The bounds of rounding errors are added, too; those of these forces
+    /// (not of `others`) are first multiplied by `rounding`.
     #[inline(always)]
     pub(super) fn add_to(&mut self, contacts: usize, others: &Self, rounding: f64) {
         for (sum, other) in self.of.iter_mut().zip(&others.of).take(contacts) {

@@ -1,7 +1,8 @@
-//! The derivatives of the load factor at first slip with respect to all data of a grasp and the load, as a row of numbers. A contact leaves its cone
-//! when its margin `α F_n - β |F_t|` vanishes, i.e. it stops sticking; see [`StickingCone`](super::cone::StickingCone). A command is the displacement
-//! that a finger would make without the object. In a second solution of the springs, the commands are the derivatives of the margin with respect to
-//! the contact force. That solution gives all derivatives; see [`super::gradient`] for the formulas.
+//! The derivatives of the load factor at first slip with respect to all data of a grasp and the load, as a row of numbers. A contact leaves its cone,
+//! i.e. stops sticking, when its margin `α F_n - β |F_t|` vanishes. With friction α is the coefficient of friction and β = 1; for a contact that can
+//! only open α = 1 and β = 0. A command is the displacement that a finger would make without the object. The springs are solved a second time without
+//! a load. The command of the leaving contact is then the derivative of its margin with respect to its force. All derivatives follow from this second
+//! solution by the formulas of [`super::gradient`].
 
 use super::answer_slots::AnswerSlots;
 use super::block::{Block, Layout, MOST_SCREENED, count, entries};
@@ -13,10 +14,10 @@ use super::method::Method;
 use super::moved::{ObjectMotion, worked};
 use super::screened::Screened;
 
-/// The layout of a gradient as a row of numbers. Number 0 is the load factor, or the code of the verdict. Number 1 is the sum of 2^i over the
-/// contacts i that leave their cones. Number 2 is the index, from 0, of the contact whose margin is differentiated. Number 3 is positive if the load
-/// factor has a kink at these data, so that derivatives are one-sided. The derivatives with respect to points, normals, commands, stiffness and
-/// friction follow, each contact by contact. The derivatives with respect to the load come last.
+/// The layout of a gradient as a row of numbers. Number 0 is the load factor or, without a first slip, a code for the reason. Number 1 is the sum of
+/// 2^i over the contacts i that leave their cones. Number 2 is the index, from 0, of the contact whose margin is differentiated. Number 3 is positive
+/// if the load factor has a kink at these data, so that derivatives are one-sided. The derivatives with respect to points, normals, commands,
+/// stiffness and friction follow, each contact by contact. The derivatives with respect to the load come last.
 pub(super) struct GradientRow<const C: usize>;
 
 impl<const C: usize> GradientRow<C> {
@@ -49,7 +50,7 @@ impl<const C: usize> GradientRow<C> {
 /// The number of entries of the longest [`GradientRow`], for five contacts in space.
 const LONGEST_ROW: usize = GradientRow::<3>::numbers(MOST_SCREENED);
 
-/// The contact forces and the motions of the object from which the derivatives of the load factor at first slip are computed; see
+/// The contact forces and the motions of the object from which the derivatives of the load factor at first slip are computed. The formulas are in
 /// [`super::gradient`].
 pub(super) struct Slopes<'a, const C: usize, X: Packed> {
     pub(super) method: Method,
@@ -120,9 +121,9 @@ impl<const C: usize, X: Packed> Slopes<'_, C, X> {
             Method::Motions => [give(k_n), give(k_t)],
         };
         if const { C == 2 } && self.method == Method::Edges {
-            // If one contact of a pair has no friction, statics alone determines the contact forces. Commands then cause none, and the derivatives
-            // with respect to them are zero. Such a pair is marked by a normal compliance of zero. Its forces P (see `gradient`) serve only to
-            // compute the motion of the object.
+            // If one of the two contacts in the plane has no friction, statics alone determines the contact forces. Commands then cause no forces,
+            // and the derivatives with respect to them are zero. Such a grasp is marked by a normal compliance of zero. Its forces P in the second
+            // solution serve only to compute the motion of the object.
             let squeezes = k_n.above(zero, scale, zero);
             answered.normal = squeezes * answered.normal;
             for entry in &mut answered.tangential {

@@ -12,8 +12,8 @@ use crate::contact::ZERO_SLACK;
 use crate::grasp::Wrench;
 use crate::numerics::Vectors;
 
-/// The grasps of a block with prepared springs, one in each lane. Springs and forces are borrowed, because they are too large to be copied for every
-/// block.
+/// The grasps of a block, one in each lane, with everything that does not depend on the question already computed: the springs' response to loads
+/// (`ready`) and the forces of the squeeze (`squeezed`). Both are borrowed, because they are too large to be copied for every block.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct PreparedBlock<'a, V, const C: usize, X: Packed> {
     pub(super) vectors: V,
@@ -71,9 +71,9 @@ impl<V: Vectors, const C: usize, X: Packed> PreparedBlock<'_, V, C, X> {
         forces.add_to(self.block.contacts, self.squeezed, ON_THE_EDGE / ZERO_SLACK);
     }
 
-    /// Computes the contact forces that the commands alone cause, and the contact forces that the clearances alone cause. The rounding bound of a
-    /// force is set to [`ZERO_SLACK`] times the sum of its terms, as for forces due to loads. Forces due to commands otherwise have the wider bound
-    /// [`ON_THE_EDGE`] times this sum.
+    /// Computes the contact forces that the commands alone cause, and the contact forces that the clearances alone cause. The bound of a force's
+    /// rounding error is set to [`ZERO_SLACK`] (5e-14) times the sum of the magnitudes of its terms, as for forces due to loads. Forces due to
+    /// commands otherwise have the wider bound [`ON_THE_EDGE`] (1e-12) times this sum.
     #[inline(always)]
     pub(super) fn apart(&self, [commands, clearances]: [&mut AnyForces<C, X>; 2]) {
         let [commanded, clearance] = self.block.commands_and_clearances();
@@ -93,8 +93,8 @@ impl<V: Vectors, const C: usize, X: Packed> PreparedBlock<'_, V, C, X> {
             };
             squeeze(commanded, self.block.commands().sheared, commands);
             squeeze(&overlaps[..contacts], [&[X::all(0.0); MOST_SCREENED][..contacts]; C], clearances);
-            // Clearances only stretch springs and do no work along a motion without resistance. If the forces due to clearances cancel each other,
-            // rounding would make `free` positive, which means that work is done.
+            // `free` is positive if work is done along a motion that no contact resists. Clearances only stretch springs and do no such work. Without
+            // this line, rounding of forces that cancel each other could make `free` positive.
             clearances.free = X::all(0.0);
         }
         for forces in [commands, clearances] {

@@ -57,8 +57,8 @@ impl Engine {
     }
 }
 
-/// The size and direction of the shortest force x (N) with which a motion, changed by `by_force x`, reaches its limit; `None` if no x brings it to
-/// the limit.
+/// The size and direction of the shortest force x (N) with which a motion reaches its limit, if x adds the vector `by_force x` to this motion; `None`
+/// if no x brings it to the limit.
 fn shortest_to_the_limit(
     motion: &CountedMotion,
     by_force: &SMatrix<f64, 3, 3>,

@@ -1,4 +1,4 @@
-//! The budget that bounds the normal forces, and the scale in which moments are compared with forces.
+//! The budget, i.e. the upper limits of normal forces, with which wrenches are possible. The scale in which moments are compared with forces.
 
 use nalgebra::SVector;
 
@@ -31,7 +31,7 @@ impl Budget {
 /// By default the point is the centroid of the contacts, and the length the largest distance of a contact from it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct WrenchScale<const C: usize> {
-    /// Point about which moments are taken, m; usually the centre of mass.
+    /// Point about which moments are taken, m: by default the centroid of the contacts; the centre of mass is another common choice.
     pub about: [f64; C],
     /// Length by which moments about this point are divided, m.
     pub length: f64,

@@ -79,8 +79,8 @@ impl Engine {
         self.whatever_vacuums_hold(closure, "form_closure")
     }
 
-    /// This closure, or an error if a vacuum might change it. If the contacts alone can balance every load, they can do so with a vacuum, too.
-    /// Otherwise the vacuum may hold loads that the contacts do not hold, so that neither closure nor its absence is proved here.
+    /// The answer `closure`, or an error if the vacuum of a suction cup might change it. If the contacts alone can balance every load, they can do so
+    /// with a vacuum, too. Otherwise the vacuum may hold loads that the contacts do not hold, so that neither closure nor its absence is proved here.
     fn whatever_vacuums_hold(
         &self,
         closure: Closure<3>,

@@ -63,11 +63,12 @@ pub(crate) fn draw(scene: &Scene, pictures: &Pictures) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Edges of a part are drawn where its faces meet at more than this angle, rad.
+/// If the grasped object is given as a mesh, an edge between two faces is drawn if their normals differ by more than this angle, rad.
 #[cfg(feature = "mesh")]
 const SHARP: f64 = 0.5;
 
-/// The end of a picture's file name: `_` and the number of the question, omitted for the first question; then `besides` and `.svg`.
+/// The end of a picture's file name: `_` and the number of the question, omitted for the first question; then the text `besides`, which tells several
+/// pictures of one question apart, and `.svg`.
 fn ending(number: usize, besides: &str) -> String {
     if number == 1 { format!("{besides}.svg") } else { format!("_{number}{besides}.svg") }
 }

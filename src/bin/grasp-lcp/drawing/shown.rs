@@ -155,7 +155,7 @@ fn needed(grasp: &Grasp<3>, need: &Need<3>, needed: &Needed) -> Result<ShownStat
 }
 
 /// The improved grasp and the original grasp. Each is shown in equilibrium under the load at first slip or, if the goal is the largest margin to the
-/// friction limit, under the full load. If this load is not known or infinite, it is shown under the base load.
+/// friction limit, under the full load. If this load is not known or infinite, the grasp is shown under the base load.
 fn improved(
     grasp: &Grasp<3>,
     asked: &Improve<3>,
@@ -206,8 +206,8 @@ fn solved(
     Ok(vec![shown])
 }
 
-/// The equilibrium at first slip, or at the start if a contact slides there. If nothing slides, the equilibrium at the end of the load path along
-/// `leg`, a section of a load program. If the load path has no start, the grasp alone under the load `start`.
+/// The equilibrium at first slip, or at the start if a contact slides there. If nothing slides, the picture shows the equilibrium at the end of the
+/// load path along `leg`, a section of a load program. If the load path has no start, the picture shows the grasp alone under the load `start`.
 fn first_slip<At>(
     grasp: &Grasp<3>,
     onset: OnsetAnswer<3, At>,
@@ -237,8 +237,8 @@ fn first_slip<At>(
         .map_or_else(|| nothing(&label, Some(*start)), |found| state(label.clone(), found, leaving)))
 }
 
-/// The equilibria at the events of a load program, then the equilibrium at its end. If the end has no equilibrium, the grasp alone under the load
-/// `start`.
+/// The equilibria at the events of a load program, then the equilibrium at its end. If the end has no equilibrium, the last picture shows the grasp
+/// alone under the load `start`.
 fn followed(path: PathAnswer<3>, start: &Wrench<3>, legs: usize, words: Words) -> Vec<ShownState> {
     let mut states: Vec<_> = path.events.into_iter().map(|event| changed(event, words)).collect();
     let (found, leaving, (leg, fraction), how) = match path.end {

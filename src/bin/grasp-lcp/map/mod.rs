@@ -3,8 +3,9 @@
 //!
 //! First slip and the weakest direction are computed directly. The map also has a smaller force, which allows for uncertain friction, stiffness and
 //! clamping force. Under this smaller force, these data may deviate by a given number of standard deviations before a contact slides. In each
-//! direction the load path is followed from event to event, with the slips so far, to the load at which equilibrium is lost. The answer distinguishes
-//! limit loads, beyond which no equilibrium exists, from snaps, beyond which the grasp may or may not reach another equilibrium.
+//! direction the load path is followed from one change of contact states to the next, with the accumulated slips of all contacts. It ends at the load
+//! at which equilibrium is lost. The answer distinguishes limit loads, beyond which no equilibrium exists, from snaps, beyond which the grasp may or
+//! may not reach another equilibrium.
 
 mod ask;
 mod data_deviations;

@@ -1,5 +1,5 @@
-//! A second path with the same steps, each made at once and not in two halves. The distance between both paths is the largest difference of a
-//! contact force. It measures the present error of the first path due to all steps so far.
+//! A second load path beside the one that is computed (the first). It has the same steps, but makes each step at once and not in two halves. The
+//! distance between both paths is the largest difference of a contact force. It measures the present error of the first path due to all steps so far.
 //!
 //! The error of a step in two halves is a third of its difference from the step made at once. But errors do not simply add up. Friction forces turn
 //! towards the directions of slip, so that their errors decay, and errors of different steps affect different contacts. Errors of the second path
@@ -35,8 +35,8 @@ impl CoarsePath {
 
     /// Moves the second path on, after the first path has made a step from the state `from` to the state `to`. `at_once` is the end of that step of
     /// the first path, made at once. As a rule the second path makes the same step from its own state, and `beside` is overwritten with the end of
-    /// this step. It moves to `at_once` instead, near the first path, if its own step fails or leads to a distant state, or if both paths nearly
-    /// agree already.
+    /// this step. The second path moves to `at_once` instead, near the first path, if its own step fails or ends far from `at_once`. It also does so
+    /// if both paths agree to within the tolerance of Newton's method.
     pub(super) fn follow(
         &mut self,
         along: &mut StepProblem<'_>,

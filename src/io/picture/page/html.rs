@@ -14,8 +14,8 @@ use crate::picture::error::PictureError;
 use crate::picture::palette::{PINK, SKY, hex};
 use crate::picture::words::escaped;
 
-/// JavaScript that lets the reader of a page choose an answer; planar and spatial pages share it. A page's script is a concatenation of such parts,
-/// which use each other's names.
+/// JavaScript that lets the reader of a page choose an answer; planar and spatial pages share it. The script of a page is a concatenation of such
+/// files, which use each other's functions and variables.
 pub(super) const ANSWERS_SCRIPT: &str = include_str!("view/answers.js");
 const VIEW_SCRIPTS: [&str; 5] = [
     ANSWERS_SCRIPT,

@@ -23,7 +23,8 @@ impl Page {
     /// draws the grasp alone. In space all answers of a page seen from the same side have the same scales of forces, moments, displacements and
     /// lengths, so that their pictures can be compared. The marks of all answers lie inside the picture.
     ///
-    /// A cone that would fill the picture (μ far above 1) is drawn shorter than the normal force in it.
+    /// A friction cone is normally a little higher than the arrow of its normal force. If its radius would then exceed half the size of the grasp (μ
+    /// far above 1), the whole cone is drawn smaller.
     ///
     /// ```
     /// use grasp_lcp::picture::{Page, View};

@@ -30,11 +30,12 @@ pub(crate) enum DriveLaw {
     /// The drive slips when its force reaches a bound. The drive is modelled by a contact whose normal force is the bound and whose friction
     /// coefficient is one.
     Slips,
-    /// The upper half of a drive that yields at an upper and a lower bound of its force, where its force stays constant. Two springs in series model
-    /// such a drive. This half is a frictionless contact whose normal force is the upper bound minus the drive's force: it opens at the upper bound.
+    /// The upper half of a drive that yields: at an upper and at a lower bound the force of the drive stays constant. Such a drive is modelled by two
+    /// springs in series. This half is a frictionless contact whose normal force is the upper bound minus the drive's force; it opens at the upper
+    /// bound.
     UpperHalf,
-    /// The lower half of a drive that yields at an upper and a lower bound of its force. It is a frictionless contact whose normal force is the
-    /// drive's force minus the lower bound: it opens at the lower bound.
+    /// The lower half of a drive that yields, see [`Self::UpperHalf`]: a frictionless contact whose normal force is the drive's force minus the lower
+    /// bound. It opens at the lower bound.
     LowerHalf,
 }
 
