@@ -67,7 +67,8 @@ pub enum TooFar {
         /// The cup, with the number of its points that are open.
         cup: WholeContact,
     },
-    /// The grasp buckles: as the forces turn with the parts on which they act, they take more in some motion than the springs resist.
+    /// The grasp buckles: forces turn with the parts on which they act, and in some motion this lowers the stiffness by more than the springs
+    /// provide.
     Buckles,
 }
 

@@ -27,7 +27,7 @@ const MOST_RIGID: usize = 64;
 /// The unit motion with which the object starts to move if no contact presses and nothing balances the rate of the load. `rates` is the problem for
 /// the rates of forces and motion.
 ///
-/// `None` if no contact touches, if some contact presses or is kept closed, or if a touching contact has infinite friction. `None` also if a command
+/// `None` if no contact touches, if some contact presses or cannot open, or if a touching contact has infinite friction. `None` also if a command
 /// changes, if the motion is zero, or with more than [`MOST_RIGID`] coordinates or touching contacts.
 pub(super) fn rigid_motion(rates: &Problem) -> Option<Vector> {
     if rates.wrench.as_slice().len() > MOST_RIGID || rates.offsets.iter().any(|offset| offset.norm() > 0.0) {

@@ -85,9 +85,9 @@ impl StickingPath<'_> {
         Onset::Undecided(Undecided { doubt: Doubt::OnTheBoundary, work: WorkDone::default() })
     }
 
-    /// Contacts that are on the edge of their cones under the base load, each with its exits (edge, apex or closing gap). These are the contacts
-    /// whose force is on the edge up to rounding, so that the step to an exit has length zero, and contacts that touch without force. Only the rates
-    /// of the forces show whether these forces leave their cones as the load grows.
+    /// Contacts that are on the edge of their cones under the base load, each with its exits (edge, apex or closing gap). Two kinds of contacts are
+    /// on the edge. The force of the first kind is on the edge up to rounding, so that the step to an exit has length zero. Contacts of the second
+    /// kind touch without force. Only the rates of the forces show whether these forces leave their cones as the load grows.
     fn at_edge_at_base(&self, states: &[State], point: &PathPoint) -> ExitsReached {
         let mut at_edge = Vec::new();
         for (i, state) in states.iter().enumerate() {

@@ -1,5 +1,8 @@
-//! The transition from one piece of the path (on which contacts keep their states) to the next. This file has the guess that no state changes,
-//! the list of changes of states, and the number of other continuations of the path.
+//! The transition from one piece of the path (on which contacts keep their states) to the next. This file has the guess that no state changes, the
+//! list of changes of states, and the number of other continuations of the path.
+//!
+//! The rate problem determines the rates of forces and motion along the path. Its kinematic form is a linear complementarity problem for the rates of
+//! gaps and slips. Its elastic trial is the solution in which all contacts stick.
 
 use nalgebra::SVector;
 
@@ -54,14 +57,14 @@ pub(super) fn other_solutions(rates: &Problem, found: &SearchSolution) -> Option
     if rows == 0 || few.as_ref().is_some_and(|few| few.form.lcp.has_p_matrix() == Some(true)) {
         return Some(0);
     }
-    // All combinations of states of the contacts on the edge of their cones are tried, if there are at most this many.
+    // All combinations of states of the contacts on the edge of their cones are tried if there are at most this many; more would take too long.
     if combinations(rates) > 256.0 {
         return None;
     }
     let size = found.forces.iter().map(nalgebra::Matrix::norm).fold(rates.wrench.norm(), f64::max);
     let mut distinct: Vec<SearchSolution> = vec![found.clone()];
-    // With many coordinates, solving for one combination of states takes long. A test on the kinematic form, which has few complementary pairs,
-    // first excludes most combinations.
+    // With many coordinates, solving for one combination of states takes long. A test on the kinematic form excludes most combinations first. This
+    // test is cheap, because the form has at most 64 complementary pairs.
     let is_planar = rates.space() == Space::Planar;
     let ruled_out = |states: &[State]| {
         few.as_ref().is_some_and(|few| few.many && clearly_breaks(&few.form, is_planar, states, few.largest))
@@ -84,8 +87,8 @@ pub(super) fn other_solutions(rates: &Problem, found: &SearchSolution) -> Option
     Some(distinct.len() - 1)
 }
 
-/// The kinematic form (a linear complementarity problem for gaps and slips) of the problem for the rates of forces and motion. It has so few
-/// complementary pairs that tests on it are cheap.
+/// The kinematic form (a linear complementarity problem for the rates of gaps and slips) of the rate problem. It has at most 64 complementary pairs,
+/// so that tests on it are cheap.
 struct FewRows {
     form: Form,
     /// The largest component of a contact force in the elastic trial, in which all contacts stick. Each component is divided by the square root of

@@ -1,9 +1,9 @@
 //! Contact forces and twist that solve the linear problem of a [`LinearProblem`], accurate to the last digits.
 //!
-//! Spring r of contact i is stretched along a vector s_r, pushes along p_r and has the scaled force x_r (see `linear_problem`). a_i are the offsets
-//! (commanded displacements minus clearances and slips), G_i the grasp maps, q the twist and W the load. Each spring has a residual e_r, and
-//! equilibrium has a residual ρ. They are evaluated in twice the working precision, and the linear problem is solved for them again (iterative
-//! refinement):
+//! Spring r of contact i is stretched along a vector s_r, pushes along p_r and has the scaled force x_r (see `linear_problem`). The offset a_i of
+//! contact i is its commanded displacement minus clearance and slip. G_i is the grasp map, q the twist and W the load. Each spring has a residual
+//! e_r, and equilibrium has a residual ρ. They are evaluated in twice the working precision, and the linear problem is solved for them again
+//! (iterative refinement):
 //!
 //! ```text
 //! e_r = s_r · (a_i - G_iᵀ q) - x_r,      ρ = Σ G_i p_r x_r + W
@@ -21,8 +21,8 @@ use crate::grasp::Site;
 use crate::numerics::{DoubleDouble, Vector, cleared_for, without};
 use crate::prelude::*;
 
-/// Contact forces and twist that solve the linear problem of a [`LinearProblem`] under given offsets and a given load; in the rate problem (for
-/// derivatives along a load path) their rates.
+/// Contact forces and twist that solve the linear problem of a [`LinearProblem`] under given offsets and a given load. For the rate problem
+/// (derivatives along a load path) they are rates.
 #[derive(Debug, Clone)]
 pub(crate) struct ForcesAndTwist {
     /// The contact force F_i of each contact in its contact frame, N.

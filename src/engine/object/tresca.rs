@@ -33,8 +33,8 @@ use crate::prelude::*;
 struct GivenLimits {
     contacts: Vec<Limited>,
     limits: Vec<f64>,
-    /// List, contact after contact, of the coordinates that move a contact: the position of the coordinate in the order `numbers`, and the
-    /// contact's displacement per unit of the coordinate, in its contact frame.
+    /// For each contact, one after the other, the coordinates that move it. An entry has the position of a coordinate in the order `numbers`, and the
+    /// displacement of the contact per unit of this coordinate, in its contact frame.
     coupled: Vec<(usize, SVector<f64, 3>)>,
     /// Position of each coordinate in an order in which the stiffness matrix is a narrow band.
     numbers: Vec<usize>,
@@ -193,8 +193,8 @@ impl GivenLimits {
             let mean = |(next, last): (&f64, &f64)| if round < 6 { *next } else { 0.5 * (next + last) };
             self.limits = paired(&next, &self.limits, &mean);
             kept = kept.max(1e-4);
-            // In the next round, Newton's method ends at an imbalance proportional to the last relative change of the friction limits: a tenth of
-            // that change, times the initial imbalance, but at least 1e-9 of the initial imbalance.
+            // In the next round Newton's method ends at a smaller imbalance. It is a tenth of the last relative change of the friction limits, times
+            // the initial imbalance, but at least 1e-9 of the initial imbalance.
             enough = enough.min(0.1 * change * size).max(1e-9 * size);
         }
         Some((states, q))

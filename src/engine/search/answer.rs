@@ -21,9 +21,10 @@ pub enum FoundBy {
     EverythingTouchingSticks,
     /// Lemke's method on the kinematic form, whose unknowns are gaps and slips. Its pivots start at the elastic trial state.
     KinematicForm,
-    /// Newton's method for the motion of the object, of which each contact force is a function. With few contacts and round cones it starts from
-    /// points of an artificial viscous motion. This motion leads from the elastic trial state towards a nearby equilibrium. If several equilibria
-    /// exist, Newton's method then finds this equilibrium. In all other cases it starts at the elastic trial state.
+    /// Newton's method for the motion of the object, of which each contact force is a function. It starts at the elastic trial state or, with round
+    /// cones, at one of three starts. With few contacts the first start is a point of an artificial viscous motion, which leads from the elastic
+    /// trial state towards a nearby equilibrium. If several equilibria exist, Newton's method then finds this equilibrium. The next starts are the
+    /// elastic trial state, and the twist for friction limits that do not depend on normal forces.
     Newton,
     /// Lemke's method on the force form, whose unknowns are contact forces. Its pivots start from zero forces.
     ForceForm,

@@ -1,6 +1,6 @@
 //! A [`Need`] after a check of its fields, with defaults for all fields that were not given. The load at rest acts before the other loads. An amount
-//! (of squeeze, friction, load, arm, angle or force) is sufficient if the grasp meets the demand with it, e.g. holds the object; a safe amount is
-//! sufficient also with less friction and squeeze, or with larger loads. The squeeze is all that presses without a load.
+//! (of squeeze, friction, load, arm, angle or force) is sufficient if the grasp meets the demand with it, for example holds the object. A safe amount
+//! is sufficient also with less friction and squeeze, or with larger loads. The squeeze is all that presses without a load.
 
 use alloc::borrow::Cow;
 
@@ -57,7 +57,7 @@ pub(super) struct CheckedNeed {
     pub(super) demand: Demand,
     /// For the safe amount: the reductions of friction and squeeze and the factor on loads.
     pub(super) safety: SafetyDeviations,
-    /// Number of amounts that are tried around the bound of the sufficient amounts.
+    /// Number of amounts that are tried on both sides of the bound, the least or greatest sufficient amount, once it is found.
     pub(super) scan: usize,
     /// Units and digits of numbers in the sentences about insufficient amounts.
     pub(super) words: Words,
@@ -81,7 +81,7 @@ pub(super) enum Sought {
     Angle {
         turn: Turn<3>,
     },
-    /// The force of the part with the name `of`, or the load at rest if there is no name.
+    /// The load of the body, or the command or force of the contact, link or joint, with the name `of`; the load at rest if there is no name.
     Force {
         of: Option<String>,
     },
@@ -173,7 +173,7 @@ impl CheckedNeed {
         (space == Space::Planar && turns != 0.0).then_some(turns < 0.0)
     }
 
-    /// Whether the sought friction is that of a contact with a coefficient of kinetic friction of its own.
+    /// Whether friction is sought, and a contact whose friction is sought has a kinetic coefficient that differs from its static one.
     pub(super) fn scales_kinetic(&self, all: &[Contact<3>]) -> bool {
         let Sought::Friction { contacts } = &self.sought else { return false };
         any_index(all.len(), &|i| {
@@ -182,7 +182,7 @@ impl CheckedNeed {
         })
     }
 
-    /// The part that exerts the sought force, with the size of that force; `None` for other quantities.
+    /// The body, contact, link or joint that exerts the sought force, with the size of that force; `None` if another quantity is sought.
     pub(super) fn pressed_by(&self, grasp: &Grasp<3>) -> Result<Option<PressedBy>, Error> {
         let Sought::Force { of } = &self.sought else { return Ok(None) };
         let (part, is_body, is_command, size) = match of {
