@@ -99,8 +99,8 @@ impl TooFar {
         !matches!(self, Self::Buckles | Self::Leaks { .. })
     }
 
-    /// The text that follows a [verb](crate::hold::LossVerb) such as "BUCKLES: " and explains it. For buckling: that the forces take all that
-    /// resists. Otherwise the text of [`Self::caution`].
+    /// The text that follows a [verb](crate::hold::LossVerb) such as "BUCKLES: " and explains it. For buckling it says that forces which turn with
+    /// their parts take away all stiffness. Otherwise the text of [`Self::caution`].
     #[must_use]
     pub fn reason(&self, words: Words) -> String {
         if *self == Self::Buckles { TAKES_ALL.to_owned() } else { self.caution(words) }

@@ -42,8 +42,8 @@ pub struct OnsetMargins<'g> {
     margins: Vec<Margin>,
 }
 
-/// The margin of a contact or drive that stops sticking, as a linear function `row·F` of its force F. It is `μ F_n - h·F_t` with a facet normal h; on
-/// the round cone h is along F_t. It is F_n alone if friction is absent or unlimited.
+/// The margin of a contact or drive that stops sticking, as a linear function `row·F` of its force F. It is `μ F_n - h·F_t` with the normal h of a
+/// facet of the polygonal cone; on the round cone h is along F_t. It is F_n alone if friction is absent or unlimited.
 struct Margin {
     leaver: DepartingPart,
     site: usize,
@@ -89,7 +89,8 @@ impl<'g> OnsetMargins<'g> {
 
     /// The derivative of the onset's load factor with respect to one datum (such as a friction coefficient), for each contact or drive of
     /// [`Self::leavers`]. Its unit is the inverse of the datum's unit, for the base load 1/N and 1/(N m). `None` if
-    /// [`Sensitivity::of`](crate::ask::Sensitivity::of) has no derivative of the forces.
+    /// [`Sensitivity::of`](crate::ask::Sensitivity::of) has no derivative of the forces, for example because a load does work along a motion that no
+    /// spring resists.
     #[must_use]
     pub fn by(&self, parameter: Parameter) -> Option<Vec<f64>> {
         let change = self.response.derivative(&self.state, parameter)?;

@@ -10,7 +10,7 @@
 //!
 //! as if its mass matrix were the identity. This means unit mass, and a radius of gyration equal to the root mean square distance of the contacts
 //! from their centroid. Each r_i has a normal part r_n and a tangential part r_t, limited by the friction coefficient μ. n are normals and G_i grasp
-//! maps. Bonded links allow no displacement at their points.
+//! maps. Bonded contacts and links, which neither open nor slide, allow no displacement at their points.
 
 use super::tolerances::NO_RIGID_MOTION;
 use crate::contact::Law;

@@ -1,6 +1,6 @@
 //! Follows a growing or turning load while no contact slides. Where a gap closes, the path continues with this contact sticking, too. The path ends
-//! where a contact stops sticking. The base load acts before the asked load grows. Drives of joints and tendons are treated like contacts. A ramp is
-//! a load that grows in proportion to a load factor.
+//! where a contact stops sticking. The base load acts before the asked load grows. A drive, the spring of a joint or tendon of a hand, is treated
+//! like a contact. A ramp is a load that grows in proportion to a load factor.
 
 use crate::numerics::{IntoList, mapped};
 use nalgebra::SVector;

@@ -85,7 +85,7 @@ impl LinearProblem {
             }
             let mut twist = PreciseTwist::new(self.size(), band.respond(x, &load.wrench));
             let respond = |x: &mut [f64], rest: &Vector| band.respond(x, rest);
-            // With band factors each correction is smaller than the one before by a constant factor, which may be moderate. Refinement therefore
+            // With band factors each correction is a constant fraction of the one before, and this fraction need not be small. Refinement therefore
             // continues until a correction is at most this fraction of the largest force.
             if self.refine(sites, (offsets, load), (x, change, &mut twist), (respond, 1e-15)) {
                 state.twist = without(twist.value(), &self.free);
@@ -103,7 +103,7 @@ impl LinearProblem {
             Some((_, coupling)) => {
                 let (step, unreached) = coupling.solve(&(&pushed + &loaded));
                 // `unreached` is the part of the generalised forces of springs (`pushed`) and load (`loaded`) that the springs cannot take up. It is
-                // taken as zero if it is below the rounding of the larger of both.
+                // taken as zero if rounding of the larger of `pushed` and `loaded` may cause it.
                 let known = NO_WORK * pushed.amax().max(loaded.amax());
                 if unreached > known && unreached > known * coupling.growth() {
                     return Err(Unbalanced { motion: None });

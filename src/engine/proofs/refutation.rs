@@ -68,9 +68,9 @@ pub(crate) fn check(problem: &Problem, steps: &[ProofStep]) -> Option<f64> {
 /// Searches for a proof, with a single case, that no contact forces balance offsets and load. Returns the same lower bound as [`check`]: how many
 /// times larger than the elastic trial state an equilibrium that rounding hides must be. `None` without a proof.
 ///
-/// In a rate problem (for derivatives along a load path), all contacts that may slide or open are assumed to do so. The tangent stiffness
-/// `Σ G_i C_i G_iᵀ` of the object may then be singular; C_i is the tangent stiffness and G_i the grasp map of contact i. A left null vector is a
-/// virtual motion y for which the virtual forces `-C_iᵀG_iᵀy` balance one another. This proves something for all contact states, since in no other
+/// In a rate problem (for derivatives along a load path), all contacts that may slide or open are assumed to do so. The tangent stiffness `Σ G_i C_i
+/// G_iᵀ` of the object may then be singular; C_i is the tangent stiffness and G_i the grasp map of contact i. A left null vector is a virtual motion
+/// y for which the virtual forces `-C_iᵀG_iᵀy` balance one another. A proof in the assumed states holds for all contact states, since in no other
 /// state do the contacts do more negative work along y.
 pub(crate) fn yields(problem: &Problem) -> Option<f64> {
     let states = problem.yielding();

@@ -1,4 +1,5 @@
-//! An equilibrium on the round cone, or a proof that none exists: branch and bound over contact states.
+//! An equilibrium on the round cone, or a proof that none exists: branch and bound over contact states. In the elastic trial state every contact
+//! sticks.
 //!
 //! A case restricts the states of each contact by a [`Label`], for example to closed, or to friction directions between two angles. The first case
 //! restricts no contact. The relaxation of a case ([`super::relaxed`]) either contradicts the case, or gives a stretch and a force for every contact.
@@ -50,7 +51,7 @@ pub(super) fn has_round_cones(problem: &Problem) -> bool {
 }
 
 /// The number of cases that costs as much as [`Settings::most_states`] combinations of contact states. Zero if no contact has a round cone, or there
-/// are too many contacts.
+/// are more than 32 contacts.
 pub(super) fn most_cases(problem: &Problem, settings: &Settings) -> usize {
     // With more than 32 contacts branch and bound would reach its limit of cases without a result.
     if problem.len() > 32 || !has_round_cones(problem) {

@@ -199,12 +199,13 @@ impl<const C: usize> Wrench<C> {
         SVector::from_column_slice(&self.0.as_slice()[..C])
     }
 
-    /// Returns an error for components that are not finite or too large; `what` names the wrench in the message.
+    /// Returns an error for components that are not finite, or larger than 1e50 in magnitude; `what` names the wrench in the message.
     pub(crate) fn check(&self, what: &'static str) -> Result<(), Error> {
         self.check_in(Space::of::<C>(), what)
     }
 
-    /// Returns an error for components that are not finite or too large, in the plane or in space; `what` names the wrench in the message.
+    /// Returns an error for components that are not finite, or larger than 1e50 in magnitude, in the plane or in space; `what` names the wrench in
+    /// the message.
     pub(crate) fn check_in(&self, space: Space, what: &'static str) -> Result<(), Error> {
         for (component, &place) in space.components::<C>().iter().enumerate() {
             let value = self.0[place];

@@ -122,8 +122,8 @@ pub enum Holding<const C: usize> {
         /// The contacts that slide under the whole load or have slid before; contacts that only opened are not listed.
         contacts: Vec<WholeContact>,
     },
-    /// Contacts stick and carry the load, but nothing resists a rotation along which the load drives the object on, as a part held below its centre
-    /// of mass. Only loads whose points of action are known, made by [`Wrench::force_at`](crate::planar::Wrench::force_at), are checked.
+    /// Contacts stick and carry the load, but nothing resists a rotation along which the load drives the object on, for example a part held below its
+    /// centre of mass. Only loads whose points of action are known, made by [`Wrench::force_at`](crate::planar::Wrench::force_at), are checked.
     TurnsOver {
         /// The unit motion that nothing resists.
         motion: Motion<C>,
@@ -155,7 +155,7 @@ pub enum Holding<const C: usize> {
     },
 }
 
-/// The first contacts and drives whose states end as the load grows, and the load factor at which they end.
+/// The first contacts and drives that change their states as the load grows, and the load factor at which they do.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -198,9 +198,10 @@ pub struct Lost<const C: usize> {
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub slide: Vec<WholeContact>,
     /// Whether all contacts that press slide: gross slip. At the end of small motions it is true if [`Verdict::everything_slides`] is at least 0.99
-    /// times `factor` and no link carries a force.
+    /// times `factor` and no link, such as a cable or hinge, carries a force.
     pub is_gross_slip: bool,
-    /// Whether the object is lost at the first slip, because some contact has a lower [kinetic friction](crate::grasp::Contact::kinetic).
+    /// Whether the object is lost at the first slip, because some contact has a [kinetic friction](crate::grasp::Contact::kinetic) that is lower than
+    /// its static friction.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "core::ops::Not::not"))]
     pub falls_at_once: bool,
     /// The load factor up to which the grasp would hold with kinetic friction from the start. `None` unless it is below `factor`, and some contact

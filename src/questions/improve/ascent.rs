@@ -175,8 +175,8 @@ impl AscentProblem<'_> {
         Ok(Some(EvaluatedDesign { design_point, parts, value, scale }))
     }
 
-    /// The contact forces in parts, see [`EvaluatedDesign::parts`]. For each load, an idle contact is closed if the load presses it by more than
-    /// `rounded`, N, at the load factor `first`. `None` if nothing resists a load.
+    /// The contact forces in one or several parts, each with other idle contacts closed (see [`EvaluatedDesign::parts`]). For each load, an idle
+    /// contact is closed if the load presses it by more than `rounded`, N, at the load factor `first`. `None` if nothing resists a load.
     fn parts(
         &self,
         design_point: &DesignPoint,

@@ -41,8 +41,8 @@ impl<const C: usize> Grasp<C> {
 }
 
 impl Need<3> {
-    /// The grasp with the amount set, and its equilibrium under the load under which a contact uses the largest fraction of its friction. `None` if
-    /// no load is held.
+    /// Sets the amount. Returns the grasp, and its equilibrium under that load of the question which makes a contact use the largest fraction of its
+    /// friction. `None` if no load is held.
     fn set_on(&self, given: &Grasp<3>, amount: f64) -> Result<Option<(Grasp<3>, Equilibrium<3>)>, Error> {
         let grown = self.growing(given)?;
         let posed = self.posed(given.space())?.on(&grown)?;

@@ -33,8 +33,8 @@ impl<const C: usize> Need<C> {
         self.load.iter().chain(&self.loads)
     }
 
-    /// The load in proportion to which the loads of other bodies [grow](Self::together_with). `None` if the question has no load or several, or if an
-    /// arm or an angle is sought.
+    /// The single load of the question; the loads of other bodies [grow](Self::together_with) in proportion to it. `None` if the question has no load
+    /// or several, or if an arm or an angle is sought.
     pub(crate) fn grows(&self) -> Option<Wrench<C>> {
         let is_alone = self.loads.is_empty() && self.any_force.is_none() && self.turn.is_none();
         self.load.filter(|_| is_alone && !matches!(self.quantity, Quantity::Arm | Quantity::Angle))
@@ -126,7 +126,7 @@ impl CheckedNeed {
     }
 
     /// This need adapted to a grasp. The friction of a soft fingertip is set at all its points. If no command presses, a force is sought in place of
-    /// a squeeze. It is the load of the only loaded body, or the load at rest if no body is loaded and no contacts overlap.
+    /// a squeeze. This force is the load of the only loaded body, or the load at rest if no body is loaded and no contacts overlap.
     pub(super) fn on(mut self, grasp: &Grasp<3>) -> Result<Self, Error> {
         match &mut self.sought {
             Sought::Friction { contacts: Some(contacts) } => *contacts = grasp.points_of(contacts)?,

@@ -113,8 +113,8 @@ pub(super) fn alike(presses: &[ContactPress]) -> Option<f64> {
 }
 
 /// The text for a normal force that is the same at all pressing contacts: `name(force)`. In parentheses follow the number to set, `pressed_with`, if
-/// that is also the same at all contacts, and `times`, the multiple of the given squeeze. They are left out if the force itself is the number that
-/// the user sets. `None` if forces, pressures or overlaps differ between contacts.
+/// that is also the same at all contacts, and `times`, the multiple of the given squeeze. The parentheses are left out if the user sets this force
+/// itself. `None` if forces, pressures or overlaps differ between contacts.
 fn all_alike(
     words: Words,
     presses: &[ContactPress],
@@ -138,8 +138,8 @@ pub(super) fn in_short(words: Words, presses: &[ContactPress], times: String) ->
     all_alike(words, presses, &times, &|force| force).unwrap_or(times)
 }
 
-/// The forces of all pressing contacts as text: "12 N at left and right". If forces differ, each is given with its contact. Unless the force is the
-/// number that is set, the text has that number and `times`, the multiple of the given squeeze.
+/// The forces of all pressing contacts as text: "12 N at left and right". If forces differ, each is given with its contact. If the user sets another
+/// number than this force, the text also has the number to set, `pressed_with`, and `times`, the multiple of the given squeeze.
 pub(super) fn in_words(words: Words, presses: &[ContactPress], times: String) -> String {
     let pressing = pressing(presses);
     let names: Vec<_> = mapped(&pressing, &|press| press.part.text());

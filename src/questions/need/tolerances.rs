@@ -15,8 +15,8 @@ use super::threshold::WidthSchedule;
 /// Two amounts at this relative distance differ by rounding alone.
 ///
 /// The search estimates the bound from both sides. Each time it tries an amount at this distance beyond the estimate; two such trials leave a bracket
-/// within [`EXACT`]. The search for an end of the range stops once a step moves the end by less than this distance. If smaller, rounding determines
-/// on which side of the bound the trial is. From 5e-13 on, the bracket needs more trials.
+/// that is narrower than [`EXACT`] (1e-12) requires. The search for an end of the range stops once a step moves the end by less than this distance.
+/// If smaller, rounding determines on which side of the bound the trial is. From 5e-13 on, the bracket needs more trials.
 pub(super) const LAST_DIGITS: f64 = 1e-13;
 
 /// The search for the least coefficient of friction ends at an interval of this relative width.
@@ -26,8 +26,8 @@ pub(super) const SAME_COEFFICIENT: f64 = 1e-10;
 
 /// Distances from a proved end of the range, relative to it, at which amounts inside and outside are tried.
 ///
-/// If the end is exact, the first distance gives a bracket within [`EXACT`]. The other distances exceed the error of the proved end. Without them
-/// both trials next to an inaccurate end would be on the same side of the bound of the sufficient amounts.
+/// If the end is exact, the first distance gives a bracket that is narrow enough for [`EXACT`] (1e-12). The other distances exceed the error of the
+/// proved end. Without them both trials next to an inaccurate end would be on the same side of the bound of the sufficient amounts.
 pub(super) const NEAR_AN_END: [f64; 3] = [4e-13, 1e-8, 1e-5];
 
 /// Ratio of successive amounts in a search that tries easier amounts only, in wide steps. In a search for an insufficient amount beyond a sufficient

@@ -28,7 +28,8 @@ use super::screened::Screened;
 use super::springs::Cause;
 use crate::numerics::Vectors;
 
-/// The question of screening for the derivatives, with respect to all data, of the load factor at first slip under this growing load (`pull`).
+/// A question that screening answers: what are the derivatives, with respect to all data, of the load factor at first slip under the growing load
+/// `pull`?
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct GradientOf<const C: usize> {
     pub(super) pull: Pull<C>,
