@@ -1,9 +1,10 @@
 //! The central path of a few contacts, followed around its folds.
 //!
-//! Friction folds the [`central_path`](super::central_path): where contacts wedge, the path's parameter τ must increase again before it decreases.
-//! Forces and ln τ together are therefore followed by arc length, for which a fold is an ordinary point (H. B. Keller, Numerical solution of
-//! bifurcation and nonlinear eigenvalue problems, 1977). The path starts far inside the cones, where the solution is unique. If the matrix W is
-//! positive definite, the path ends at a solution of the problem, unless it meets another path or diverges.
+//! The [`central_path`](super::central_path) leads through the interior of the friction cones to a solution as its parameter τ tends to zero.
+//! Friction folds it: where contacts wedge, τ must increase again before it decreases. Forces and ln τ together are therefore followed by arc length,
+//! for which a fold is an ordinary point (H. B. Keller, Numerical solution of bifurcation and nonlinear eigenvalue problems, 1977). The path starts
+//! far inside the cones, where the solution is unique. If the matrix W, which maps contact forces to velocities, is positive definite, the path ends
+//! at a solution of the problem, unless it meets another path or diverges.
 
 use super::blocks::Blocks;
 use super::central_path::{Smoothed, scales};
@@ -97,8 +98,8 @@ impl<const C: usize> Path<'_, C> {
         (point.size <= enough).then_some(x)
     }
 
-    /// At a point x (the forces, then ln τ): the residuals of the equations, the root mean square of these residuals relative to √τ, and the
-    /// derivatives of the residuals with respect to forces and ln τ.
+    /// Three results at a point x (the forces, then ln τ). They are the residuals of the equations, their root mean square relative to √τ, and their
+    /// derivatives with respect to forces and ln τ.
     fn residual_and_derivatives(&self, x: &DVector<f64>) -> (DVector<f64>, f64, DMatrix<f64>) {
         let size = x.len() - 1;
         let r = x.rows(0, size).into_owned();

@@ -1,15 +1,15 @@
 //! The exact force of one contact by Coulomb's law, with the forces of all others fixed.
 //!
-//! The force r of the contact gives it the velocity u = A r + b. A is the contact's diagonal block of the matrix W, and b its velocity without its
-//! own force. N and T mark normal and tangential parts. The contact is open if b_N ≥ 0. Otherwise u_N = 0 gives r_N = −(b_N + A_NTᵀ r_T) / A_NN and
-//! u_T = S r_T + c, with
+//! The force r of the contact gives it the velocity u = A r + b. A is the contact's diagonal block of the matrix W, which maps contact forces to
+//! velocities, and b its velocity without its own force. N and T mark normal and tangential parts. The contact is open if b_N ≥ 0. Otherwise u_N = 0
+//! gives r_N = −(b_N + A_NTᵀ r_T) / A_NN and u_T = S r_T + c, with
 //!
 //! ```text
 //! S = A_TT − A_TN A_NTᵀ / A_NN,     c = b_T − A_TN b_N / A_NN.
 //! ```
 //!
-//! Slip opposes friction, u_T = −κ r_T with κ ≥ 0, so r_T(κ) = −(S + κ 1)⁻¹ c. The contact sticks if ‖r_T‖ ≤ μ r_N at κ = 0. Otherwise some κ
-//! puts the force on the edge of the cone: as κ increases r_T vanishes, and r_N tends to −b_N / A_NN > 0.
+//! Slip opposes friction, u_T = −κ r_T with κ ≥ 0, so r_T(κ) = −(S + κ 1)⁻¹ c. The contact sticks if ‖r_T‖ ≤ μ r_N at κ = 0. Otherwise some κ puts
+//! the force on the edge of the cone: as κ increases to infinity, r_T vanishes and r_N tends to −b_N / A_NN > 0, a force inside the cone.
 
 use super::blocks::ContactBlock;
 use super::law::tangent;

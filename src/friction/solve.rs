@@ -1,5 +1,6 @@
-//! Choice and order of the methods for a frictional contact problem: facets, sweeps, central path, proof. An island is a set of contacts that the
-//! matrix W couples, directly or through other contacts.
+//! Choice and order of the methods for a frictional contact problem: polygons in place of the cones, iterations over contacts, central path, proof
+//! that no solution exists. The matrix W maps contact forces to velocities. An island is a set of contacts that W couples, directly or through other
+//! contacts.
 
 use super::approach::{IslandSolve, STARTS, Watcher};
 use super::blocks::Blocks;

@@ -42,7 +42,7 @@
 //! [`Hand::grasp`](crate::grasp::Hand::grasp) makes a [`Grasp`](crate::ask::Grasp), with any number of joints. Questions are the same as for any
 //! other grasp. Loads act on the object; [torques on joints](crate::ask::Grasp::with_joint_torques) from outside are zero unless given. Answers
 //! contain [joints](crate::equilibrium::Equilibrium::joints) and [tendons](crate::equilibrium::Equilibrium::tendons) in addition to contacts; events
-//! and onsets contain the [drives](crate::load_path::Event::drives) that reach their limit or go slack.
+//! and onsets (first slips) contain the [drives](crate::load_path::Event::drives), springs of joints and tendons, that reach their limit or go slack.
 //!
 //! # Guarantees of theory, and their limits
 //!
@@ -53,8 +53,9 @@
 //! * **One contact on a body at rest** has one answer for every command if μ |c_nt| < c_nn, and up to three otherwise: the condition of Klarbring,
 //!   *Examples of non-uniqueness and non-existence of solutions to quasistatic contact problems with friction*, Ingenieur-Archiv 60 (1990).
 //! * **On a body that is free to move this condition does not suffice**: two fingers that each satisfy it can still have several equilibria together.
-//! * **The force form stays copositive** for every positive semidefinite compliance, `zᵀMz = FᵀCF + Σ μ λ F_n >= 0`. Guarantees of Lemke's method
-//!   without joints therefore hold with joints: Cottle, Pang and Stone, *The Linear Complementarity Problem*, theorem 4.4.12.
+//! * **The force form** (the complementarity problem whose unknowns are contact forces) **stays copositive** for every positive semidefinite
+//!   compliance, `zᵀMz = FᵀCF + Σ μ λ F_n >= 0`. Guarantees of Lemke's method without joints therefore hold with joints: Cottle,
+//!   Pang and Stone, *The Linear Complementarity Problem*, theorem 4.4.12.
 //! * **A symmetric pinch** with the normal force N on both sides slides at `2 μ N / (1 ∓ μ |c_nt|/c_nn)`. From μ |c_nt| >= c_nn on, the side that
 //!   tightens itself never slides.
 //! * **Loads that are held need not include zero**: a squeeze alone can slide, and a weight can stop it.

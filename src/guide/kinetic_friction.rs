@@ -51,7 +51,8 @@
 //! * **Another equilibrium.** If a jump is not caught, [`LoadPath::beyond`](crate::load_path::Path::beyond) says whether an equilibrium exists with
 //!   the remaining friction. It is not known whether the object arrives at this equilibrium; the object therefore counts as lost.
 //! * **Alternating stick and slip.** Contacts that slide together may push each other back: each jump of one contact lets another contact stick. The
-//!   less friction falls, the smaller and more numerous these jumps are, up to [`Settings::most_steps`](crate::Settings::most_steps) per leg.
+//!   smaller the difference of the two coefficients, the smaller and more numerous these jumps are. A leg has at most
+//!   [`Settings::most_steps`](crate::Settings::most_steps) of them.
 //! * **Soft fingertips** slide point after point, and each point hands its lost force to the others. The load at which they are lost converges with
 //!   the number of points. For μ_k/μ_s = 0.7, ten points in a row hold 5 % more than the limit of many points, forty 1.2 % more.
 //! * **Speed and age.** Both coefficients are constants. Friction that grows with the time at rest, or falls with the speed, is not included.

@@ -3,9 +3,9 @@
 //! A scene has a list of `bodies`. Each contact names the body that its normal points into, `on`, and the body on the other side, `against`; without
 //! `against` it is the ground or a finger. Everything else is as with one object: the law of a contact, commands, hands, and all questions. A load of
 //! a question acts on the first body, or on the body marked as `loaded`. With `shared_by_mass` it acts on all bodies, at their common centre of mass
-//! unless `at` is given. A permanent load, such as a weight, is the `load` of a body. A list of `links` joins bodies: a hinge, a slide, a rigid
-//! joint, a spring, or a cable that only pulls. A link is `between` two bodies, or `on` one body and attached to the ground. The scenes are in
-//! `examples/scenes/bodies`, and the commands are run there.
+//! unless `at` is given. A permanent load, such as a weight, is the `load` of a body. A list of `links` joins bodies: a hinge, a slide (linear
+//! guide), a rigid joint, a spring, or a cable that only pulls. A link is `between` two bodies, or `on` one body and attached to the ground. The
+//! scenes are in `examples/scenes/bodies`, and the commands are run there.
 //!
 //! # What does it take to drive a wedge under a machine?
 //!

@@ -38,8 +38,8 @@ impl Workspace {
         settings.check(&lcp.q).err().map(|cause| Outcome::Breakdown { pivots: 0, cause })
     }
 
-    /// Stores the covering vector d of w = q + M z + d z₀ in the path: that of the settings, multiplied by the scale factors of the rows. Without a
-    /// covering vector in the settings, every entry of d is 1 up to the rounding of the scale factors to powers of two.
+    /// Stores the covering vector d of w = q + M z + d z₀ in the path. It is the vector of the settings, multiplied by the scale factors of the rows.
+    /// Without a covering vector in the settings, every entry of d is 1 up to the rounding of the scale factors to powers of two.
     fn cover(&mut self, settings: &Settings) {
         let path = &mut self.path;
         match &settings.covering {

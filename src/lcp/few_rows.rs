@@ -1,8 +1,8 @@
 //! Farkas vectors (y ≥ 0 with Mᵀy ≤ 0 and qᵀy < 0) that a person can check: few nonzero entries, few digits.
 //!
-//! A path or a linear program ends in some vector that proves a contradiction, usually one of many. A single contradictory row, or two rows that
-//! contradict each other, are easier to understand. If the entries of the vector have few digits, the proof also does not depend on how the entries
-//! of a computed vector were rounded.
+//! Lemke's path or a linear program ends in some vector that proves a contradiction, usually one of many. A single contradictory row, or two rows
+//! that contradict each other, are easier to understand. If the entries of the vector have few digits, the proof also does not depend on how the
+//! entries of a computed vector were rounded.
 
 use super::problem::Lcp;
 use super::tolerances::MOST_PAIRED_ROWS;
@@ -15,7 +15,7 @@ use nalgebra::DVector;
 const BINARY_DIGITS: [i32; 4] = [1, 3, 8, 20];
 
 impl Lcp {
-    /// A Farkas vector with one or two nonzero entries, if one is found. Pairs of rows are only tried up to [`MOST_PAIRED_ROWS`] rows.
+    /// A Farkas vector with one or two nonzero entries, if one is found. Pairs of rows are only tried if M has at most [`MOST_PAIRED_ROWS`] rows.
     pub(super) fn few_rows(&self) -> Option<DVector<f64>> {
         let n = self.len();
         if let Some(row) = (0..n).find(|row| self.has_certain_sign(*row, 1.0, 0..n)) {

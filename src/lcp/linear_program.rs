@@ -12,8 +12,8 @@ use super::settings::Settings;
 use crate::numerics::{IntoList, matrix_of, vector_of};
 use nalgebra::{DMatrix, DVector};
 
-/// A proof that M z + q ≥ 0 and z ≥ 0 contradict each other, exactly or up to rounding: from a single row, or from the dual solution of the linear
-/// program. `None` if no proof is found.
+/// A proof that M z + q ≥ 0 and z ≥ 0 contradict each other, exactly or up to rounding. It comes from a single row, or from the dual solution of the
+/// linear program. `None` if no proof is found.
 pub(super) fn proof(lcp: &Lcp, scaling: &Scaling, settings: &Settings) -> Option<Unsolved> {
     let n = lcp.len();
     if let Some(row) = (0..n).find(|row| lcp.has_certain_sign(*row, 1.0, 0..n)) {
@@ -52,7 +52,8 @@ fn contradictions<'a>(
 
 impl Lcp {
     /// Candidates for a proof by Farkas' lemma that A x + b ≥ 0 and x ≥ 0 contradict each other. The entries of A must be of the order of 1. For each
-    /// margin δ the dual solution y with Aᵀy ≤ −δ 1 is returned, as computed and [`cleaned`].
+    /// margin δ the dual solution y with Aᵀy ≤ −δ 1 is returned in several forms ([`cleaned`]): as computed, without entries that are only noise, and
+    /// as integer vectors with nearly the same ratios.
     pub(crate) fn contradictions<'a>(
         a: &'a DMatrix<f64>,
         b: &'a DVector<f64>,
@@ -66,9 +67,9 @@ impl Lcp {
 /// some of the constraints, and rounding may move it outside. With a margin it stays inside, if the tightened constraints have a solution.
 pub(super) const MARGINS: [f64; 4] = [0.0, 1e-3, 1e-6, 1e-9];
 
-/// The least violation of the conditions of the piece { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 } that belongs to the basis α, the set of the i
-/// with z_i basic. The nonzero entries of M must lie near 1. `None` if the program cannot be solved. In its solution x holds the z_α. The dual y has
-/// one entry per row of M, of either sign in the rows α, where (M z + q)_i = 0.
+/// The least violation of the conditions { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 } for the basis α, the set of the i with z_i basic. The nonzero
+/// entries of M must lie near 1. `None` if the program cannot be solved. In its solution x holds the z_α. The dual y has one entry per row of M, of
+/// either sign in the rows α, where (M z + q)_i = 0.
 pub(super) fn of_piece(
     (m, q): (&DMatrix<f64>, &DVector<f64>),
     alpha: &[usize],

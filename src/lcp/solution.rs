@@ -20,7 +20,7 @@ pub struct Solution {
     pub basis: Basis,
     /// Residuals at z, recomputed from the given M and q before entries of w are set to zero.
     pub residuals: Residuals,
-    /// Number of pivots, on all paths.
+    /// Number of pivots, on all of Lemke's paths that the solver followed.
     pub pivots: usize,
     /// Whether a basic variable is zero. Other bases then have the same point, and the solution may be one of several.
     pub degenerate: bool,
@@ -40,7 +40,7 @@ pub struct SolutionView<'a> {
     pub basis: &'a Basis,
     /// Residuals at z, recomputed from the given M and q; see [`Residuals`].
     pub residuals: Residuals,
-    /// Number of pivots, on all paths.
+    /// Number of pivots, on all of Lemke's paths that the solver followed.
     pub pivots: usize,
     /// Whether a basic variable is zero. Other bases then have the same point, and the solution may be one of several.
     pub degenerate: bool,

@@ -27,7 +27,7 @@ impl Lcp {
     /// 2. a Farkas vector from the linear program min { t : M z + q + t 1 ≥ 0, z, t ≥ 0 }
     ///    ([`Settings::prove_infeasible`]);
     /// 3. paths with other covering vectors and from other bases ([`Settings::retries`]);
-    /// 4. all 2ⁿ complementary bases of a small problem ([`Settings::enumerate_up_to`]).
+    /// 4. all 2ⁿ complementary bases of a problem with n rows, for n up to [`Settings::enumerate_up_to`].
     ///
     /// ```
     /// use grasp_lcp::lcp::{Lcp, Outcome, Settings};

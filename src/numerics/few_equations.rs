@@ -8,7 +8,8 @@ pub(crate) const MOST_UNKNOWNS: usize = 7;
 /// One equation: the coefficients of its unknowns, then zeros, and the right-hand side in the last place.
 pub(crate) type Equation = [f64; MOST_UNKNOWNS + 1];
 
-/// The solution of as many equations as unknowns; `None` if the equations are nearly singular or not finite.
+/// The solution of as many equations as unknowns; `None` if a coefficient is not finite, or a pivot is below the fraction `PARTIAL_PIVOT` of the
+/// largest coefficient: the equations are then nearly singular.
 pub(crate) fn solved(equations: &mut [Equation]) -> Option<[f64; MOST_UNKNOWNS]> {
     let count = equations.len();
     let mut largest = 0.0_f64;

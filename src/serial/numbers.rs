@@ -21,7 +21,7 @@ pub(crate) trait Kind {
     }
 }
 
-/// A number that the user gives in a scene or a question: finite and of moderate size.
+/// A number that the user gives in a scene or a question: finite and at most 1e50 in magnitude.
 pub(crate) enum Given {}
 /// A coefficient of friction.
 pub(crate) enum Friction {}

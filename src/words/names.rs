@@ -25,7 +25,7 @@ fn is_control(c: char) -> bool {
     c.is_control() || directs || matches!(c, '\u{2028}' | '\u{2029}' | '\u{feff}' | '\u{fffe}' | '\u{ffff}')
 }
 
-/// Names in a list: "left, right and thumb"; in a long list, "a, b, c, d, e, f and 7 more".
+/// Names in a list: "left, right and thumb"; in a list of more than eight, "a, b, c, d, e, f and 7 more".
 pub(crate) fn listed<T: fmt::Display>(names: &[T]) -> String {
     in_a_list(&mapped(names, &ToString::to_string))
 }

@@ -13,8 +13,8 @@ use crate::prelude::*;
 
 impl Engine {
     /// Implements [`Grasp::distinct`](crate::ask::Grasp::distinct): for each contact, without the drives of joints and tendons, whether working
-    /// precision distinguishes its state from neighbouring states. `None` if the equilibrium lacks the engine's solution, as after reading it from a
-    /// file.
+    /// precision distinguishes its state from neighbouring states. `None` if the equilibrium lacks the solution that the engine stores with it, for
+    /// example because it was read from a file.
     pub(crate) fn distinct(&self, equilibrium: &Equilibrium<3>) -> Option<Vec<bool>> {
         let problem = self.problem_of(equilibrium)?;
         let [force_error, displacement_error] =
@@ -23,8 +23,8 @@ impl Engine {
         let forces = equilibrium.site_forces();
         let sizes = forces.iter().map(nalgebra::Matrix::norm);
         let largest = largest_force(self.sites(), &problem.offsets, twist, problem.wrench.norm(), sizes);
-        // A gap, force, slip or margin below ten times its estimated error may be zero in exact arithmetic. `part` is this limit as a fraction of a
-        // size. A margin is the distance of a force from the edge of its cone.
+        // A gap, force, slip or margin below ten times its estimated error may be zero in exact arithmetic. `part` gives this limit as a fraction of
+        // the size of the quantity. A margin is the distance of a force from the edge of its cone.
         let part = |error: f64, size: f64| if size > 0.0 { 10.0 * error / size } else { 0.0 };
         let distinct = |(i, state): (usize, &State)| {
             let at = problem.at(i, &forces[i], twist, largest);

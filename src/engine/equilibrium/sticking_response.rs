@@ -66,7 +66,7 @@ impl<'g> StickingResponse<'g> {
         self.problem.local(contact)
     }
 
-    /// The stretch, m, of the normal spring of one contact if its finger has the offset `offset` (command minus clearance) along the normal and the
+    /// The stretch of the normal spring of one contact, m. The finger has the offset `offset` (command minus clearance) along the normal, and the
     /// object the twist `twist`. Negative if the contact has a gap.
     pub(crate) fn normal_stretch(&self, contact: usize, offset: f64, twist: &Vector) -> f64 {
         self.problem.sites[contact].stretch(&unit::<3>(0).scale(offset), twist)[0]

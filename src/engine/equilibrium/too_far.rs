@@ -67,7 +67,8 @@ pub enum TooFar {
         /// The cup, with the number of its points that are open.
         cup: WholeContact,
     },
-    /// The grasp buckles: as the forces turn with the parts on which they act, they take more in some motion than the springs resist.
+    /// The grasp buckles: forces turn with the parts on which they act, and in some motion this lowers the stiffness by more than the springs
+    /// provide.
     Buckles,
 }
 
@@ -98,8 +99,8 @@ impl TooFar {
         !matches!(self, Self::Buckles | Self::Leaks { .. })
     }
 
-    /// The text that follows a [verb](crate::hold::LossVerb) such as "BUCKLES: " and explains it. For buckling: that the forces take all that
-    /// resists. Otherwise the text of [`Self::caution`].
+    /// The text that follows a [verb](crate::hold::LossVerb) such as "BUCKLES: " and explains it. For buckling it says that forces which turn with
+    /// their parts take away all stiffness. Otherwise the text of [`Self::caution`].
     #[must_use]
     pub fn reason(&self, words: Words) -> String {
         if *self == Self::Buckles { TAKES_ALL.to_owned() } else { self.caution(words) }

@@ -13,9 +13,10 @@ use crate::numerics::{largest, least};
 use crate::prelude::*;
 
 impl PiecewiseFollower<'_> {
-    /// Norm of the twist rate at the beginning of an arc, m per unit of the load factor. Taken as the unit u of displacement, it gives twist and
-    /// load factor equal weight in the arclength there. While the load turns, the present twist rate may be small: the norm of the twist rate a
-    /// quarter revolution of the load later is then added in quadrature. The result is limited, see below, and is 1 instead of zero.
+    /// Norm of the twist rate at the beginning of an arc, m per unit of the load factor. Taken as the unit u of displacement, it gives twist and load
+    /// factor equal weight in the arclength at that point. While the load turns, the present twist rate may be small. Therefore the twist rate after
+    /// a further quarter revolution of the load is computed, too, and its norm is added in quadrature. The result is at most 1e6 times the deflection
+    /// of the softest spring, and 1 instead of zero.
     pub(super) fn displacement_rate(&self, point: &PathPoint) -> f64 {
         let mut size = point.twist_rate.norm();
         if let Trajectory::Turn { angle, .. } = self.segment.trajectory {

@@ -61,8 +61,8 @@ pub(super) fn leaving_motions(rates: &Problem, load: &Vector, states: &[State]) 
     let linear_problem = LinearProblem::new(rates, states);
     let solved = match linear_problem.solve(rates.sites, &rates.offsets, &rates.wrench) {
         Err(unbalanced) => {
-            // If friction is at its limit at all contacts, no spring may resist some motions. Of several such unit motions, the one along which the
-            // rate of the load does the most work is taken. If only commands change, the load itself takes the place of its rate.
+            // If friction is at its limit at all contacts, there may be motions that no spring resists. Of several unit motions of this kind, the one
+            // along which the rate of the load does the most work is taken. If only commands change, the load itself takes the place of its rate.
             let along = |motions: &[Vector], wrench: &Vector| {
                 let v = motions.iter().fold(Vector::zeros(), |sum, v| sum + v * v.dot(wrench));
                 (v.norm() > 0.0).then(|| v.normalize())

@@ -1,7 +1,7 @@
-//! The margins m (`μ F_n - |F_t|`, N) that vanish at an onset, and the derivatives of the onset's load factor τ. If a change of the data (stiffness,
-//! friction and others) changes a margin by dm, τ changes by `dτ = -dm / m'`. Here m' is the rate of the margin along the ramp. Along a ramp the load
-//! is a base load plus τ times a given load, and commands change in proportion to τ. A drive, the spring of a joint or tendon of a hand, is treated
-//! like a contact.
+//! An onset is the load at which a contact stops sticking for the first time. This file has the margins m (`μ F_n - |F_t|`, N) that vanish at an
+//! onset, and the derivatives of the onset's load factor τ. If a change of the data (stiffness, friction and others) changes a margin by dm, τ
+//! changes by `dτ = -dm / m'`. Here m' is the rate of the margin along the ramp. Along a ramp the load is a base load plus τ times a given load, and
+//! commands change in proportion to τ. A drive, the spring of a joint or tendon of a hand, is treated like a contact.
 
 use nalgebra::SVector;
 
@@ -33,17 +33,17 @@ pub enum DepartingPart {
 /// dF_i = -K_i (G_iᵀdq + dG_iᵀq),      Σ (G_i dF_i + dG_i F_i) = 0
 /// ```
 ///
-/// Commands, clearances and stiffnesses then keep their components along the axes of the contact frames, as do changes of commands along a ramp. If a
-/// command a is to stay along the **coordinate** axes, its components change in a frame that tilts by φ towards the tangent t: by φ `a·t` along the
-/// normal n, by -φ `a·n` along t.
+/// Commands, clearances and stiffnesses then keep their components along the axes of the contact frames, as do changes of commands along a ramp. A
+/// command a that keeps its components along the **coordinate** axes has other components in a contact frame that tilts by φ towards the tangent t.
+/// Its component along the normal n changes by φ `a·t`, its component along t by -φ `a·n`.
 pub struct OnsetMargins<'g> {
     response: StickingResponse<'g>,
     state: ForcesAndTwist,
     margins: Vec<Margin>,
 }
 
-/// The margin of a contact or drive that stops sticking, as a linear function `row·F` of its force F. It is `μ F_n - h·F_t` with a facet normal h; on
-/// the round cone h is along F_t. It is F_n alone if friction is absent or unlimited.
+/// The margin of a contact or drive that stops sticking, as a linear function `row·F` of its force F. It is `μ F_n - h·F_t` with the normal h of a
+/// facet of the polygonal cone; on the round cone h is along F_t. It is F_n alone if friction is absent or unlimited.
 struct Margin {
     leaver: DepartingPart,
     site: usize,
@@ -89,7 +89,8 @@ impl<'g> OnsetMargins<'g> {
 
     /// The derivative of the onset's load factor with respect to one datum (such as a friction coefficient), for each contact or drive of
     /// [`Self::leavers`]. Its unit is the inverse of the datum's unit, for the base load 1/N and 1/(N m). `None` if
-    /// [`Sensitivity::of`](crate::ask::Sensitivity::of) has no derivative of the forces.
+    /// [`Sensitivity::of`](crate::ask::Sensitivity::of) has no derivative of the forces, for example because a load does work along a motion that no
+    /// spring resists.
     #[must_use]
     pub fn by(&self, parameter: Parameter) -> Option<Vec<f64>> {
         let change = self.response.derivative(&self.state, parameter)?;
@@ -113,8 +114,8 @@ impl<'g> OnsetMargins<'g> {
 }
 
 impl Margin {
-    /// The change of the load factor at which this margin vanishes, if all contact forces change by `forces`, and the margin changes by `direct`
-    /// besides, as it does if a friction coefficient changes.
+    /// The change of the load factor at which this margin vanishes. Contact forces change by `forces`, N. The margin changes by `direct`, N, in
+    /// addition, for example because a friction coefficient changes.
     fn factor_change(&self, forces: &[SVector<f64, 3>], direct: f64) -> f64 {
         -(self.row.dot(&forces[self.site]) + direct) / self.rate
     }

@@ -1,5 +1,6 @@
-//! Memory that the computation of one onset passes on to the computation of the next onset. The base load acts from the start, and the load of the
-//! question, times a growing load factor, in addition. Drives of joints and tendons are treated like contacts.
+//! Memory that the computation of one onset passes on to the computation of the next onset. An onset is the load factor at which a contact stops
+//! sticking for the first time. The base load acts from the start, and the load of the question, times a growing load factor, in addition. A drive,
+//! the spring of a joint or tendon of a hand, is treated like a contact.
 
 use alloc::sync::Arc;
 

@@ -10,7 +10,7 @@
 //!
 //! as if its mass matrix were the identity. This means unit mass, and a radius of gyration equal to the root mean square distance of the contacts
 //! from their centroid. Each r_i has a normal part r_n and a tangential part r_t, limited by the friction coefficient μ. n are normals and G_i grasp
-//! maps. Bonded links allow no displacement at their points.
+//! maps. Bonded contacts and links, which neither open nor slide, allow no displacement at their points.
 
 use super::tolerances::NO_RIGID_MOTION;
 use crate::contact::Law;
@@ -27,7 +27,7 @@ const MOST_RIGID: usize = 64;
 /// The unit motion with which the object starts to move if no contact presses and nothing balances the rate of the load. `rates` is the problem for
 /// the rates of forces and motion.
 ///
-/// `None` if no contact touches, if some contact presses or is kept closed, or if a touching contact has infinite friction. `None` also if a command
+/// `None` if no contact touches, if some contact presses or cannot open, or if a touching contact has infinite friction. `None` also if a command
 /// changes, if the motion is zero, or with more than [`MOST_RIGID`] coordinates or touching contacts.
 pub(super) fn rigid_motion(rates: &Problem) -> Option<Vector> {
     if rates.wrench.as_slice().len() > MOST_RIGID || rates.offsets.iter().any(|offset| offset.norm() > 0.0) {

@@ -1,6 +1,6 @@
 //! Follows a growing or turning load while no contact slides. Where a gap closes, the path continues with this contact sticking, too. The path ends
-//! where a contact stops sticking. The base load acts before the asked load grows. Drives of joints and tendons are treated like contacts. A ramp is
-//! a load that grows in proportion to a load factor.
+//! where a contact stops sticking. The base load acts before the asked load grows. A drive, the spring of a joint or tendon of a hand, is treated
+//! like a contact. A ramp is a load that grows in proportion to a load factor.
 
 use crate::numerics::{IntoList, mapped};
 use nalgebra::SVector;
@@ -85,9 +85,9 @@ impl StickingPath<'_> {
         Onset::Undecided(Undecided { doubt: Doubt::OnTheBoundary, work: WorkDone::default() })
     }
 
-    /// Contacts that are on the edge of their cones under the base load, each with its exits (edge, apex or closing gap). These are the contacts
-    /// whose force is on the edge up to rounding, so that the step to an exit has length zero, and contacts that touch without force. Only the rates
-    /// of the forces show whether these forces leave their cones as the load grows.
+    /// Contacts that are on the edge of their cones under the base load, each with its exits (edge, apex or closing gap). Two kinds of contacts are
+    /// on the edge. The force of the first kind is on the edge up to rounding, so that the step to an exit has length zero. Contacts of the second
+    /// kind touch without force. Only the rates of the forces show whether these forces leave their cones as the load grows.
     fn at_edge_at_base(&self, states: &[State], point: &PathPoint) -> ExitsReached {
         let mut at_edge = Vec::new();
         for (i, state) in states.iter().enumerate() {

@@ -1,5 +1,8 @@
-//! The transition from one piece of the path (on which contacts keep their states) to the next. This file has the guess that no state changes,
-//! the list of changes of states, and the number of other continuations of the path.
+//! The transition from one piece of the path (on which contacts keep their states) to the next. This file has the guess that no state changes, the
+//! list of changes of states, and the number of other continuations of the path.
+//!
+//! The rate problem determines the rates of forces and motion along the path. Its kinematic form is a linear complementarity problem for the rates of
+//! gaps and slips. Its elastic trial is the solution in which all contacts stick.
 
 use nalgebra::SVector;
 
@@ -20,8 +23,8 @@ pub(super) fn nothing_changes(problem: &Problem, rates: &Problem, states: &[Stat
     all_some(locals.map(|((local, law), state)| local.in_the_rates(law, *state)))
 }
 
-/// The change of a contact from one state to the next, as an event lists it; `None` if the contact keeps its kind of state. Each state is given with
-/// the direction of slip, which is `None` unless the contact slides.
+/// The change of a contact from one state to the next, as an event lists it; `None` if the contact stays open, sticking or sliding. Each state is
+/// given with the direction of slip, which is `None` unless the contact slides.
 pub(super) fn change(
     (was, before): (State, Option<SVector<f64, 3>>),
     (is, direction): (State, Option<SVector<f64, 3>>),
@@ -40,9 +43,10 @@ pub(super) fn change(
     }
 }
 
-/// Number of solutions other than `found` of `rates`, the problem for the rates of forces and motion. They differ in rates of forces, or in twist
-/// rates apart from free motions. Zero if the matrix of the kinematic form of `rates` is a P-matrix, which proves uniqueness. Otherwise all
-/// combinations of contact states are tried. `None` if there are too many combinations, or with a contact at the apex of a round cone.
+/// Number of solutions other than `found` of `rates`, the problem for the rates of forces and motion. They differ from `found` and from each other in
+/// rates of forces, or in twist rates apart from motions that no spring resists. Zero if the matrix of the kinematic form of `rates` is a P-matrix,
+/// which proves uniqueness. Otherwise all combinations of contact states are tried. `None` if there are more than 256 combinations, or with a contact
+/// at the apex of a round cone.
 pub(super) fn other_solutions(rates: &Problem, found: &SearchSolution) -> Option<usize> {
     // With a contact at the apex of a round cone the solutions cannot be counted. Their number may differ from that with a polygonal cone, on which
     // combinations of states are tried.
@@ -54,14 +58,14 @@ pub(super) fn other_solutions(rates: &Problem, found: &SearchSolution) -> Option
     if rows == 0 || few.as_ref().is_some_and(|few| few.form.lcp.has_p_matrix() == Some(true)) {
         return Some(0);
     }
-    // All combinations of states of the contacts on the edge of their cones are tried, if there are at most this many.
+    // All combinations of states of the contacts on the edge of their cones are tried if there are at most this many; more would take too long.
     if combinations(rates) > 256.0 {
         return None;
     }
     let size = found.forces.iter().map(nalgebra::Matrix::norm).fold(rates.wrench.norm(), f64::max);
     let mut distinct: Vec<SearchSolution> = vec![found.clone()];
-    // With many coordinates, solving for one combination of states takes long. A test on the kinematic form, which has few complementary pairs,
-    // first excludes most combinations.
+    // With many coordinates, solving for one combination of states takes long. A test on the kinematic form excludes most combinations first. This
+    // test is cheap, because the form has at most 64 complementary pairs.
     let is_planar = rates.space() == Space::Planar;
     let ruled_out = |states: &[State]| {
         few.as_ref().is_some_and(|few| few.many && clearly_breaks(&few.form, is_planar, states, few.largest))
@@ -84,8 +88,8 @@ pub(super) fn other_solutions(rates: &Problem, found: &SearchSolution) -> Option
     Some(distinct.len() - 1)
 }
 
-/// The kinematic form (a linear complementarity problem for gaps and slips) of the problem for the rates of forces and motion. It has so few
-/// complementary pairs that tests on it are cheap.
+/// The kinematic form (a linear complementarity problem for the rates of gaps and slips) of the rate problem. It has at most 64 complementary pairs,
+/// so that tests on it are cheap.
 struct FewRows {
     form: Form,
     /// The largest component of a contact force in the elastic trial, in which all contacts stick. Each component is divided by the square root of

@@ -1,8 +1,9 @@
 //! The onset (first slip or opening) while a load turns.
 //!
 //! While all contacts stick, the force of each is `F(θ) = F⁰ + F^c cos θ + F^s sin θ` at the angle θ of the load. Three linear solves give F⁰, F^c
-//! and F^s. A contact reaches the edge of its cone at the first angle at which its margin becomes negative. The margin is a trigonometric polynomial
-//! of the angle: of degree one for each facet, of degree two on the round cone.
+//! and F^s. The margin of a contact is the distance of its force from the edge of its friction cone. The contact stops sticking at the first angle at
+//! which its margin becomes negative. The margin is a trigonometric polynomial of the angle: of degree one for each facet, of degree two on the round
+//! cone.
 
 use super::first_to_leave::{WhileTurning, first_to_leave_on_turn};
 use super::onset::Onset;

@@ -35,8 +35,8 @@ pub(crate) struct LinearProblem {
     /// An orthonormal basis of the motions q along which no spring pushes (B q = 0 with the matrix B of push directions). A load that does work
     /// along such a motion cannot be balanced.
     pub(super) unbalanced: Vec<Vector>,
-    /// LU factors of the tangent stiffness T = BᵀA as a band matrix, with its null vectors. `None` with few coordinates, or if T is nearly, but not
-    /// exactly, singular.
+    /// LU factors of the tangent stiffness T = BᵀA as a band matrix, with its null vectors. `None` with fewer than 36 coordinates, for which
+    /// orthogonal factors are as fast, or if T is nearly, but not exactly, singular.
     pub(super) band: Option<(BandedTangent, NullMotions)>,
     /// Orthogonal factors of the matrices A (spring stretches under a motion) and B (push directions). If `band` is given, they are computed on first
     /// use.

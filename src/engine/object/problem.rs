@@ -7,7 +7,7 @@
 //! q is the twist of the object, G_i the grasp map of contact i, and W the load. In the static problem, the offset a_i is the commanded displacement
 //! minus clearance and slip, and each contact has its full law. In the rate problem, a_i and W are derivatives of offset and load along a path; v_i,
 //! q and F_i are the derivatives of stretch, twist and force. Each contact then has the law that relates rates of force and stretch at its present
-//! state ([`Law`]).
+//! state ([`Law`]). In the elastic trial all contacts stick.
 
 use crate::numerics::{DoubleDouble, IntoList, Size, Vector, by_axis, cleared_for, indexed, numbered};
 use alloc::sync::Arc;
@@ -26,7 +26,7 @@ use crate::prelude::*;
 #[derive(Debug, Clone)]
 pub(crate) struct Problem<'g> {
     pub(crate) sites: &'g [Site],
-    /// The friction polygon of every contact that has neither a polygon of its own nor an entry in `turned`.
+    /// The friction polygon of every contact that has neither a polygon of its own nor a rotated polygon in `turned`.
     pub(crate) polygon: Arc<Polygon>,
     /// For each contact its friction polygon, rotated until a corner lies along the contact's friction force in the elastic trial, in which all
     /// contacts stick. If the list is empty, contacts use their own polygon, or `polygon`.
@@ -174,7 +174,8 @@ impl<'g> Problem<'g> {
         self.sites.len()
     }
 
-    /// The polygon that replaces the round cone of this contact: the turned polygon, else the contact's own polygon, else the common polygon.
+    /// The polygon that replaces the round cone of this contact: its rotated polygon in `turned`, else its own polygon, else the polygon common to
+    /// all contacts.
     #[inline]
     pub(crate) fn polygon(&self, contact: usize) -> &Polygon {
         let own = || self.sites[contact].polygon.as_ref().unwrap_or(&self.polygon);

@@ -1,9 +1,9 @@
 //! Contact forces and twist that solve the linear problem of a [`LinearProblem`], accurate to the last digits.
 //!
-//! Spring r of contact i is stretched along a vector s_r, pushes along p_r and has the scaled force x_r (see `linear_problem`). a_i are the offsets
-//! (commanded displacements minus clearances and slips), G_i the grasp maps, q the twist and W the load. Each spring has a residual e_r, and
-//! equilibrium has a residual ρ. They are evaluated in twice the working precision, and the linear problem is solved for them again (iterative
-//! refinement):
+//! Spring r of contact i is stretched along a vector s_r, pushes along p_r and has the scaled force x_r (see `linear_problem`). The offset a_i of
+//! contact i is its commanded displacement minus clearance and slip. G_i is the grasp map, q the twist and W the load. Each spring has a residual
+//! e_r, and equilibrium has a residual ρ. They are evaluated in twice the working precision, and the linear problem is solved for them again
+//! (iterative refinement):
 //!
 //! ```text
 //! e_r = s_r · (a_i - G_iᵀ q) - x_r,      ρ = Σ G_i p_r x_r + W
@@ -21,8 +21,8 @@ use crate::grasp::Site;
 use crate::numerics::{DoubleDouble, Vector, cleared_for, without};
 use crate::prelude::*;
 
-/// Contact forces and twist that solve the linear problem of a [`LinearProblem`] under given offsets and a given load; in the rate problem (for
-/// derivatives along a load path) their rates.
+/// Contact forces and twist that solve the linear problem of a [`LinearProblem`] under given offsets and a given load. For the rate problem
+/// (derivatives along a load path) they are rates.
 #[derive(Debug, Clone)]
 pub(crate) struct ForcesAndTwist {
     /// The contact force F_i of each contact in its contact frame, N.
@@ -85,7 +85,7 @@ impl LinearProblem {
             }
             let mut twist = PreciseTwist::new(self.size(), band.respond(x, &load.wrench));
             let respond = |x: &mut [f64], rest: &Vector| band.respond(x, rest);
-            // With band factors each correction is smaller than the one before by a constant factor, which may be moderate. Refinement therefore
+            // With band factors each correction is a constant fraction of the one before, and this fraction need not be small. Refinement therefore
             // continues until a correction is at most this fraction of the largest force.
             if self.refine(sites, (offsets, load), (x, change, &mut twist), (respond, 1e-15)) {
                 state.twist = without(twist.value(), &self.free);
@@ -103,7 +103,7 @@ impl LinearProblem {
             Some((_, coupling)) => {
                 let (step, unreached) = coupling.solve(&(&pushed + &loaded));
                 // `unreached` is the part of the generalised forces of springs (`pushed`) and load (`loaded`) that the springs cannot take up. It is
-                // taken as zero if it is below the rounding of the larger of both.
+                // taken as zero if rounding of the larger of `pushed` and `loaded` may cause it.
                 let known = NO_WORK * pushed.amax().max(loaded.amax());
                 if unreached > known && unreached > known * coupling.growth() {
                     return Err(Unbalanced { motion: None });

@@ -9,10 +9,10 @@
 //! Σ G_i F_i(a_i - G_iᵀq) + W = 0      at the q for which  Σ φ_i(a_i - G_iᵀq) - W·q  is least
 //! ```
 //!
-//! Newton's method finds the minimum of this energy from any start. As regularisation the Newton matrix keeps a fraction of the stiffness that
-//! is lost at sliding and open contacts; as a rule this fraction decreases. From the normal forces F_n at the minimum follow new friction limits
-//! μ F_n, and the minimum is computed again. This is repeated until no contact changes its state and the limits hardly change, in at most 30
-//! rounds. The states are a proposal: some may be wrong.
+//! Newton's method finds the minimum of this energy from any start. As regularisation the Newton matrix keeps a fraction of the stiffness that is
+//! lost at sliding and open contacts; as a rule this fraction decreases. From the normal forces F_n at the minimum follow new friction limits μ F_n,
+//! and the minimum is computed again. This is repeated in at most 30 rounds, until no contact changes its state and the limits change by at most the
+//! fraction 1e-4. The states are a proposal: some may be wrong.
 //!
 //! Source: J. Haslinger, I. Hlaváček, J. Nečas, Numerical methods for unilateral problems in solid mechanics, Handbook of Numerical Analysis IV
 //! (1996): friction as a fixed point of problems with given friction.
@@ -33,8 +33,8 @@ use crate::prelude::*;
 struct GivenLimits {
     contacts: Vec<Limited>,
     limits: Vec<f64>,
-    /// List, contact after contact, of the coordinates that move a contact: the position of the coordinate in the order `numbers`, and the
-    /// contact's displacement per unit of the coordinate, in its contact frame.
+    /// For each contact, one after the other, the coordinates that move it. An entry has the position of a coordinate in the order `numbers`, and the
+    /// displacement of the contact per unit of this coordinate, in its contact frame.
     coupled: Vec<(usize, SVector<f64, 3>)>,
     /// Position of each coordinate in an order in which the stiffness matrix is a narrow band.
     numbers: Vec<usize>,
@@ -51,8 +51,8 @@ struct ContactResponses {
 }
 
 /// Proposed contact states on polygonal friction cones or in the plane. As a rule forces nearly balance in these states, and friction limits nearly
-/// agree with the normal forces. `None` with too few coordinates for a band matrix ([`uses_band`]), with motions that nothing resists, or if a
-/// contact has infinite friction and may open.
+/// agree with the normal forces. `None` with fewer than 36 coordinates, too few for a band matrix ([`uses_band`]), with motions that nothing resists,
+/// or if a contact has infinite friction and may open.
 pub(crate) fn states_by_tresca(problem: &Problem<'_>) -> Option<Vec<State>> {
     if !uses_band(problem.size()) {
         return None;
@@ -174,8 +174,8 @@ impl GivenLimits {
         self.band.solve(&mut q);
         answers = self.answers_by(&q, |i, stretch| stuck(&self.contacts[i], stretch));
         self.limits = self.limits_of(&answers.of);
-        // The Newton matrix keeps a fraction of the stiffness that is lost at sliding and open contacts (regularisation): half at first, and at least
-        // 1e-4 at the start of later rounds. In the first round Newton's method ends at a hundredth of the initial imbalance.
+        // The Newton matrix keeps a fraction of the stiffness that is lost at sliding and open contacts (regularisation). The fraction is half at
+        // first, and at least 1e-4 at the start of later rounds. In the first round Newton's method ends at a hundredth of the initial imbalance.
         let (mut kept, mut enough) = (0.5, 1e-2 * size);
         let mut states: Vec<Mode<u16>> = Vec::new();
         // Rounds of the iteration, each with the friction limits from the normal forces of earlier rounds.
@@ -193,8 +193,8 @@ impl GivenLimits {
             let mean = |(next, last): (&f64, &f64)| if round < 6 { *next } else { 0.5 * (next + last) };
             self.limits = paired(&next, &self.limits, &mean);
             kept = kept.max(1e-4);
-            // In the next round, Newton's method ends at an imbalance proportional to the last relative change of the friction limits: a tenth of
-            // that change, times the initial imbalance, but at least 1e-9 of the initial imbalance.
+            // In the next round Newton's method ends at a smaller imbalance. It is a tenth of the last relative change of the friction limits, times
+            // the initial imbalance, but at least 1e-9 of the initial imbalance.
             enough = enough.min(0.1 * change * size).max(1e-9 * size);
         }
         Some((states, q))
@@ -235,7 +235,8 @@ impl GivenLimits {
                 part *= (falls / (falls + rises)).clamp(0.1, 0.9);
             }
             if part > 0.5 {
-                // After a step of nearly full length the Newton matrix keeps less of the lost stiffness, but at least this fraction.
+                // After a step of more than half its full length the Newton matrix keeps 0.3 times as much of the lost stiffness, but at least the
+                // fraction 1e-6. After a step of less than a fifth it keeps four times as much, so that the next step is safer.
                 *kept = (*kept * 0.3).max(1e-6);
             } else if part < 0.2 {
                 *kept = (*kept * 4.0).min(1.0);

@@ -50,8 +50,8 @@ fn rows(problem: &Problem) -> usize {
     problem.size().count() + problem.locals().filter(has_row).count()
 }
 
-/// Number of axes along which the force of a closed contact follows from its springs: all axes of a bonded contact, otherwise the normal alone.
-/// Friction is then a separate unknown.
+/// Number of axes along which the force of a closed contact follows from its springs: all axes of a bonded contact, which neither opens nor slides,
+/// otherwise the normal alone. Friction is then a separate unknown.
 fn springs(local: &LocalLaw<'_>) -> usize {
     if local.is_bonded() { local.springs.axes() } else { 1 }
 }

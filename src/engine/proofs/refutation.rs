@@ -3,7 +3,7 @@
 //! The states of the contacts are divided into cases, one contact at a time, until each case is contradicted. A label restricts the state of a
 //! contact, or the direction of its friction; a case gives every contact a label. A contradiction of a case is a virtual motion y of the object with
 //! virtual contact forces φ_i that balance one another, `Σ G_i φ_i = 0`. Contact i has the grasp map G_i, the offset a_i (commanded displacement
-//! minus clearance and slip), the stretch `v_i = a_i - G_iᵀq` at the twist q, and the contact force F_i. In an equilibrium under the load W
+//! minus clearance and slip) and the force F_i. Its stretch at the twist q is `v_i = a_i - G_iᵀq`. In an equilibrium under the load W
 //!
 //! ```text
 //! Σ (φ_i·v_i + (G_iᵀy)·F_i)  =  Σ φ_i·a_i - y·W  >  0
@@ -32,8 +32,8 @@ pub(crate) enum ProofStep {
     Contradicted { motion: Vector, forces: Vec<SVector<f64, 3>> },
 }
 
-/// Checks a proof without searching. The proof may miss an equilibrium because of rounding. Returns the factor by which such an equilibrium is at
-/// least larger than the elastic trial state, both measured by the norm of stretches and forces in energy units (√J). `None` if the steps omit a
+/// Checks a proof without searching. The proof may miss an equilibrium because of rounding. Returns a lower bound of the ratio of the size of such an
+/// equilibrium to the size of the elastic trial state. A size is the norm of stretches and forces in energy units (√J). `None` if the steps omit a
 /// case, or contradict a case by less than the factor [`ESCAPE`].
 pub(crate) fn check(problem: &Problem, steps: &[ProofStep]) -> Option<f64> {
     let trial = problem.trial();
@@ -65,12 +65,12 @@ pub(crate) fn check(problem: &Problem, steps: &[ProofStep]) -> Option<f64> {
     (open.is_empty() && least >= ESCAPE).then_some(least)
 }
 
-/// Searches for a proof, with a single case, that no contact forces balance offsets and load. Returns the same factor as [`check`], or `None` without
-/// a proof.
+/// Searches for a proof, with a single case, that no contact forces balance offsets and load. Returns the same lower bound as [`check`]: how many
+/// times larger than the elastic trial state an equilibrium that rounding hides must be. `None` without a proof.
 ///
-/// In a rate problem (for derivatives along a load path), all contacts that may slide or open are assumed to do so. The tangent stiffness
-/// `Σ G_i C_i G_iᵀ` of the object may then be singular; C_i is the tangent stiffness and G_i the grasp map of contact i. A left null vector is a
-/// virtual motion y for which the virtual forces `-C_iᵀG_iᵀy` balance one another. This proves something for all contact states, since in no other
+/// In a rate problem (for derivatives along a load path), all contacts that may slide or open are assumed to do so. The tangent stiffness `Σ G_i C_i
+/// G_iᵀ` of the object may then be singular; C_i is the tangent stiffness and G_i the grasp map of contact i. A left null vector is a virtual motion
+/// y for which the virtual forces `-C_iᵀG_iᵀy` balance one another. A proof in the assumed states holds for all contact states, since in no other
 /// state do the contacts do more negative work along y.
 pub(crate) fn yields(problem: &Problem) -> Option<f64> {
     let states = problem.yielding();

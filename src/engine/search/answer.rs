@@ -1,5 +1,6 @@
-//! The result of a search for an equilibrium under a load, and the work that it took. Drives of joints and tendons are treated like contacts. Free
-//! motions stretch no spring; along neutral motions forces change but stay in balance.
+//! The result of a search for an equilibrium under a load, and the work that it took. A drive, the spring of a joint or tendon of a hand, is treated
+//! like a contact. In the elastic trial state every contact sticks. Free motions stretch no spring; along neutral motions forces change but stay in
+//! balance.
 
 use nalgebra::SVector;
 
@@ -21,9 +22,10 @@ pub enum FoundBy {
     EverythingTouchingSticks,
     /// Lemke's method on the kinematic form, whose unknowns are gaps and slips. Its pivots start at the elastic trial state.
     KinematicForm,
-    /// Newton's method for the motion of the object, of which each contact force is a function. With few contacts and round cones it starts from
-    /// points of an artificial viscous motion. This motion leads from the elastic trial state towards a nearby equilibrium. If several equilibria
-    /// exist, Newton's method then finds this equilibrium. In all other cases it starts at the elastic trial state.
+    /// Newton's method for the motion of the object, of which each contact force is a function. It starts at the elastic trial state or, with round
+    /// cones, at one of three starts. With fewer than 32 contacts the first start is a point of an artificial viscous motion, which leads from the
+    /// elastic trial state towards a nearby equilibrium. If several equilibria exist, Newton's method then finds this equilibrium. The next starts
+    /// are the elastic trial state, and the twist for friction limits that do not depend on normal forces.
     Newton,
     /// Lemke's method on the force form, whose unknowns are contact forces. Its pivots start from zero forces.
     ForceForm,

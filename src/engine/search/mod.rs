@@ -1,4 +1,5 @@
-//! The search for contact states: a sequence of methods (the ladder and its rungs), and the check that every proposed solution must pass.
+//! The search for contact states: a sequence of methods (the ladder and its rungs), and the check that every proposed solution must pass. A search
+//! begins with the elastic trial, the solution in which every contact sticks.
 //!
 //! | file | idea |
 //! |---|---|

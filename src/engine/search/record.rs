@@ -1,5 +1,5 @@
-//! A record of which method (rung) of the search ladder ends each search with an equilibrium or a proof, for the report `rungs`. In the elastic
-//! trial, which precedes the ladder, every contact sticks.
+//! A record of which method (rung) of the search ladder ends each search with an equilibrium or a proof, for the program `rungs` in
+//! `examples/reports`. In the elastic trial, which precedes the ladder, every contact sticks.
 
 use crate::numerics::mapped;
 
@@ -23,7 +23,8 @@ pub enum RungResult {
     Proved,
 }
 
-/// A search for an equilibrium that went beyond the elastic trial, with the result of each method (rung) of the ladder, tried by itself.
+/// A search for an equilibrium that did not end with the elastic trial. For comparison each method (rung) of the ladder was also run alone on the
+/// same problem.
 #[derive(Debug, Clone)]
 pub struct RecordedSearch {
     /// The index, in [`names`], of the method that found an equilibrium or a proof; `None` if the search stayed undecided.

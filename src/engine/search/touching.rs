@@ -24,8 +24,8 @@ pub(super) fn touching_contacts(
     // A contact usually changes its state once, if at all. The limit of the number of rounds ends cycles.
     let rounds = if states.len() > one_by_one { 20 } else { 2 * states.len() + 2 };
     for _ in 0..rounds {
-        // With few contacts one contact opens at a time, since other contacts may pull only because this contact pulls. The contact with the largest
-        // initial gap opens first.
+        // In a grasp of at most `one_by_one` contacts a single contact opens, since other contacts may pull only because this contact pulls. The
+        // contact with the largest initial gap opens first, and the contact that penetrates deepest closes first.
         let reach = |i: usize| problem.offsets[i][0];
         let depth = |i: usize| reach(i) - problem.sites[i].map.tr_mul(&solved.twist)[0];
         let may_open = |i: &usize| problem.local(*i).may_open();

@@ -1,4 +1,5 @@
-//! An equilibrium on the round cone, or a proof that none exists: branch and bound over contact states.
+//! An equilibrium on the round cone, or a proof that none exists: branch and bound over contact states. In the elastic trial state every contact
+//! sticks.
 //!
 //! A case restricts the states of each contact by a [`Label`], for example to closed, or to friction directions between two angles. The first case
 //! restricts no contact. The relaxation of a case ([`super::relaxed`]) either contradicts the case, or gives a stretch and a force for every contact.
@@ -43,15 +44,14 @@ struct Case {
     divided: Option<usize>,
 }
 
-/// Whether branch and bound is needed because some contact has a round cone. Without round cones it suffices to try all combinations of states. A
-/// contact on the edge of its cone in a rate problem (for derivatives along a load path) does not count: its law has a plane facet in place of the
-/// cone.
+/// Whether branch and bound is needed because some contact has a round cone. Without round cones it suffices to try all combinations of states. False
+/// if some contact is on the edge of its cone in a rate problem (for derivatives along a load path): its law has a plane facet in place of the cone.
 pub(super) fn has_round_cones(problem: &Problem) -> bool {
     problem.locals().any(|local| local.is_round()) && !problem.locals().any(|local| local.is_on_an_edge())
 }
 
 /// The number of cases that costs as much as [`Settings::most_states`] combinations of contact states. Zero if no contact has a round cone, or there
-/// are too many contacts.
+/// are more than 32 contacts.
 pub(super) fn most_cases(problem: &Problem, settings: &Settings) -> usize {
     // With more than 32 contacts branch and bound would reach its limit of cases without a result.
     if problem.len() > 32 || !has_round_cones(problem) {
@@ -63,8 +63,8 @@ pub(super) fn most_cases(problem: &Problem, settings: &Settings) -> usize {
     by_size.min(settings.most_states / 5)
 }
 
-/// Branch and bound over at most `most_cases` cases of contact states. `state` is the solution of the elastic trial `trial`, in which everything
-/// sticks. If the result is `Contradicted`, `record` has received the steps of the proof.
+/// Branch and bound over at most `most_cases` cases of contact states, on the round cone. `state` is the solution of the elastic trial `trial`, in
+/// which everything sticks. If the result is `Contradicted`, `record` has received the steps of the proof.
 pub(super) fn search_tree(
     problem: &Problem,
     trial: &LinearProblem,
@@ -136,8 +136,9 @@ pub(super) fn search_tree(
     }
 }
 
-/// Searches for a proof that no equilibrium exists on the round cone. Returns the steps of the proof (divisions into cases, and contradictions)
-/// and the number of all cases. `None` if the search finds an equilibrium, reaches its limit of cases, or does not apply.
+/// Searches for a proof that no equilibrium exists on the round cone. Returns the steps of the proof (divisions into cases, and contradictions) and
+/// the number of all cases. `None` if the search finds an equilibrium, or reaches its limit of cases. `None` also if no contact has a round cone, or
+/// there are more than 32 contacts.
 pub(crate) fn refute(problem: &Problem, settings: &Settings) -> Option<(Vec<ProofStep>, usize)> {
     let most = most_cases(problem, settings);
     if most == 0 {
@@ -154,7 +155,7 @@ pub(crate) fn refute(problem: &Problem, settings: &Settings) -> Option<(Vec<Proo
 
 /// The contact whose label is to be divided next, and the largest distance from the law. The distance of a contact from its law is the difference
 /// between its force and the force that the law gives at its stretch. It is in energy units, divided by the norm of the elastic trial state. The
-/// contact with the largest distance is divided; distances count three times if the label of the contact restricts nothing yet.
+/// label of the contact with the largest distance is divided. The distance of a contact whose label restricts nothing yet counts three times.
 fn farthest_from_the_law(
     problem: &Problem,
     balance: &BalanceEquation,
@@ -168,7 +169,7 @@ fn farthest_from_the_law(
         let answer = local.answer(&stretches[contact], 0.0);
         let imbalance = balance.part(contact, &(forces[contact] - answer.force));
         error = error.max(imbalance);
-        // Contacts whose label restricts nothing yet are divided first. As long as such contacts are left, dividing others contributes little to a
+        // Labels that restrict nothing yet are preferred: as long as a contact has such a label, divisions of other labels contribute little to a
         // contradiction.
         let weighed = if labels[contact] == Label::Anything { 3.0 * imbalance } else { imbalance };
         if weighed > worst {

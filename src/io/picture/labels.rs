@@ -61,7 +61,7 @@ impl Labels {
     }
 
     /// The best position of a name: beside its point or, if a name beside the point would cover too many strokes, anywhere on the paper. A line joins
-    /// a name to a point that is not near. `None` if no free position is left on the paper.
+    /// the name to its point if they are more than 16 pixels apart. `None` if no free position is left on the paper.
     fn place(&mut self, paper: &mut Sheet, point: PaperPoint, size: (f64, f64)) -> Option<PaperPoint> {
         let beside = self.best(point, &self.plates_beside(point, size));
         let is_clear = |plate: &NamePlate| self.cost(point, plate) <= COVERS_MUCH;

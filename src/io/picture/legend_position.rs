@@ -3,8 +3,8 @@
 use super::series::{ChartSeries, Stroke};
 use crate::numerics::{counted, lowest};
 
-/// Possible positions of the legend. Each has two fractions: of the free width, the fraction that lies to the left of the legend, and of the free
-/// height, the fraction that lies below it.
+/// Possible positions of the legend. The first number is the part of the free width that lies to the left of the legend. The second number is the
+/// part of the free height that lies below it.
 const LEGEND_POSITIONS: [(f64, f64); 6] =
     [(1.0, 1.0), (1.0, 0.0), (0.0, 1.0), (0.0, 0.5), (1.0, 0.5), (0.0, 0.0)];
 
@@ -18,8 +18,8 @@ pub(super) fn most_letters(series: &[ChartSeries], longest: usize) -> usize {
     series.iter().map(|series| series.name.chars().count().min(longest)).max().unwrap_or(0)
 }
 
-/// The entry of [`LEGEND_POSITIONS`] at which the legend hides least of the curves, of the labels of marks, and of the label of a shaded area.
-/// `marked` and `shaded` say whether such labels exist.
+/// The entry of [`LEGEND_POSITIONS`] at which the legend hides least of the curves and labels. `marked` is true if vertical lines with labels mark
+/// events; `shaded` is true if an area is shaded and has a label.
 pub(super) fn best_legend_position(
     [x0, x1, y0, y1]: [f64; 4],
     series: &[ChartSeries],
@@ -49,7 +49,7 @@ pub(super) fn best_legend_position(
                 }
             }
         }
-        // Labels of marks are at the top, the label of a shaded area is at the bottom right.
+        // Labels of marked events are at the top, the label of a shaded area is at the bottom right.
         let marked = marked && anchor == 1.0;
         let shaded = shaded && side > 0.0 && anchor == 0.0;
         count + 10 * (usize::from(marked) + usize::from(shaded))

@@ -1,4 +1,5 @@
-//! Links between bodies in the plane: a hinge is a circle, a slide two rails, a rigid joint a bar, a cable a thin line, a spring a zigzag.
+//! Pictures of links between bodies in the plane. A hinge is drawn as a circle, a slide (linear guide) as two rails, a rigid joint as a bar. A cable
+//! is drawn as a thin line, a spring as a zigzag.
 
 use crate::numerics::Each;
 use nalgebra::Vector2;

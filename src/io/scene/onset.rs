@@ -1,4 +1,5 @@
-//! Answers about first slip: its load factor under a growing load, or its angle under a turning load. A drive is a motor or a tendon of a joint.
+//! Answers about first slip, also called onset: the event at which the first contact stops sticking. They give its load factor under a growing load,
+//! or its angle under a turning load. A drive is a motor or a tendon of a joint.
 
 use crate::numerics::IntoList;
 use serde::{Deserialize, Serialize};
@@ -41,7 +42,7 @@ pub enum OnsetAnswer<const C: usize, At = Factor> {
     Undecided(Undecided),
 }
 
-/// The load factor at which an onset occurs under a growing load.
+/// The load factor of first slip under a growing load.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Factor {
@@ -50,7 +51,7 @@ pub struct Factor {
     pub factor: f64,
 }
 
-/// The angle at which an onset occurs under a turning load.
+/// The angle of first slip under a turning load.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Angle {

@@ -137,7 +137,8 @@ fn lies_over_an_edge(f: &mut fmt::Formatter<'_>, words: Words, name: &str, angle
     write!(f, "{name} lies over an edge: pad and part meet at up to {angle}°, more than friction bridges")
 }
 
-/// Writes the pull of a spring or a cable without load, and its pretension, N. Both are negative for a spring that pushes.
+/// Writes that a spring or cable pulls with another force at rest than its pretension. `force` is the pull at rest, `stated` the pretension, N; each
+/// is negative for a spring that pushes.
 fn write_pull(
     f: &mut fmt::Formatter<'_>,
     words: Words,

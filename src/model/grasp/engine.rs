@@ -113,8 +113,8 @@ impl Engine {
         self.linkage().map_or(&[], |linkage| &linkage.centres)
     }
 
-    /// A grasp with these contacts. `is_meant(i)` is true if contact i touches the object. The centroid of these contacts is the origin of the
-    /// engine's coordinates.
+    /// A grasp with the given contacts. `is_meant(i)` is true if contact i belongs to the object, not only to other bodies. The centroid of the
+    /// contacts of the object is the origin of the engine's coordinates.
     fn of(
         space: Space,
         size: Size,
@@ -132,7 +132,7 @@ impl Engine {
         let count = meant().count().max(1) as f64;
         let origin = meant().fold(SVector::zeros(), |sum, c| sum + c.point / count);
         let spread = meant().map(|c| (c.point - origin).norm_squared() / count).sum::<f64>().sqrt();
-        // The contacts lie in a single point, which has no extent, so any unit of length can be used.
+        // If the contacts lie in a single point, they have no extent, and the unit of length is 1 m.
         let length = if spread * LARGEST > 1.0 { spread } else { 1.0 };
         let mut sites = Vec::with_capacity(contacts.len());
         for (index, contact) in contacts.iter().enumerate() {

@@ -39,9 +39,9 @@ pub struct Wrench<const C: usize>(pub(super) SVector<f64, 6>, pub(super) PointsO
 
 /// A small motion of the object: translation of the origin of the coordinates, then rotation. It has 3 components in the plane and 6 in space.
 ///
-/// To first order the point r of the body moves by `translation + rotation × r`, equation 4.1 of the paper on which the crate is based
-/// (`paper-notes.md`), without its quadratic term; see [`Twist::displacement_at`]. Translations are in m, rotations in rad. Rotations turn from x to
-/// y in the plane and follow the right-hand rule in space.
+/// To first order the point r of the body moves by `translation + rotation × r`; see [`Twist::displacement_at`]. This is equation 4.1 of the paper on
+/// which the crate is based (`paper-notes.md`), without its quadratic term. Translations are in m, rotations in rad. Rotations turn from x to y in
+/// the plane and follow the right-hand rule in space.
 ///
 /// ```
 /// use grasp_lcp::nalgebra::{Isometry3, Vector3};
@@ -199,12 +199,13 @@ impl<const C: usize> Wrench<C> {
         SVector::from_column_slice(&self.0.as_slice()[..C])
     }
 
-    /// Returns an error for components that are not finite or too large; `what` names the wrench in the message.
+    /// Returns an error for components that are not finite, or larger than 1e50 in magnitude; `what` names the wrench in the message.
     pub(crate) fn check(&self, what: &'static str) -> Result<(), Error> {
         self.check_in(Space::of::<C>(), what)
     }
 
-    /// Returns an error for components that are not finite or too large, in the plane or in space; `what` names the wrench in the message.
+    /// Returns an error for components that are not finite, or larger than 1e50 in magnitude, in the plane or in space; `what` names the wrench in
+    /// the message.
     pub(crate) fn check_in(&self, space: Space, what: &'static str) -> Result<(), Error> {
         for (component, &place) in space.components::<C>().iter().enumerate() {
             let value = self.0[place];

@@ -32,8 +32,7 @@ pub struct CaughtJump {
     /// catch the object.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub moves: Option<CaughtMotion>,
-    /// True if the path of equilibria ends at this load (in a fold, a corner or an asymptote), so that the object snaps over to another equilibrium
-    /// ([`Jump::snaps`]).
+    /// True if the path of equilibria ends at this load, so that the object snaps over to another equilibrium ([`Jump::snaps`]).
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "core::ops::Not::not"))]
     pub snaps: bool,
     /// Energy dissipated in the jump, J.

@@ -1,5 +1,5 @@
 //! Whether forces drive an object on along a motion that nothing resists. A part that two fingertips pinch below its centre of mass turns over,
-//! although every contact sticks; a part that is pinched above its centre of mass hangs.
+//! although every contact sticks. A part that is pinched above its centre of mass hangs.
 //!
 //! Along such a free motion the springs store no energy. Therefore the potential of contact forces and loads alone determines the stability. Its
 //! second derivative is the geometric stiffness K_g, which arises because the lever arms of forces turn with the object (see `equilibrium/left_out`).
@@ -23,8 +23,8 @@ impl Engine {
     /// A motion that nothing resists and along which forces drive the bodies on: the potential of contact forces and `load` falls as the bodies turn.
     /// The forces are those of the equilibrium `there`, the motion is a combination of its free motions.
     ///
-    /// `None` if there is no such motion. Also `None` if the potential cannot be computed: a vacuum acts, or the point of action of a load is not
-    /// known. The same holds if a free motion moves a joint or shears a closed contact, whose potential would have to be included.
+    /// `None` if there is no such motion. Also `None` if the potential cannot be computed, because a vacuum acts or the point of action of a load is
+    /// not known. Also `None` if a free motion moves a joint or shears a closed contact, whose potential would have to be included.
     pub(super) fn driven_on(&self, there: &Equilibrium<3>, load: &Wrench<3>) -> Option<Motion<3>> {
         let free = mapped(&there.local.free_motions, &|motion| motion.to());
         let (least, motion) = self.free_stiffness(&free, &forces_in(&there.contacts), load)?.pop()?;

@@ -44,9 +44,9 @@ pub struct Verdict<const C: usize> {
     /// held.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub held_to: f64,
-    /// Load factor from which on every contact with friction and a normal force slides without interruption: up to factor 1 or, if a contact sticks
-    /// at factor 1 or the path ends before it, up to the end of the path. At larger factors friction is exhausted, and normal forces must carry any
-    /// further load. `None` if a contact sticks at factor 1 and at the end of the path.
+    /// Load factor from which on every contact with friction and a normal force slides without interruption up to factor 1. If a contact sticks at
+    /// factor 1, or the path ends before it, this is the factor from which on they slide up to the end of the path. At larger factors friction is
+    /// exhausted, and normal forces must carry any further load. `None` if a contact sticks at factor 1 and at the end of the path.
     #[cfg_attr(
         feature = "serde",
         serde(default, skip_serializing_if = "Option::is_none", with = "AsComputed::<Option<f64>>")
@@ -70,7 +70,7 @@ pub struct Verdict<const C: usize> {
     pub left_out: Option<f64>,
     /// The small motion from rest to where the object hangs under the whole load, if nothing resists this motion. The other fields are those of the
     /// undeformed geometry: the object is lost at once. The forces where it hangs are not computed, so friction may be exceeded there. `None` if the
-    /// object is held, if it hangs nowhere near, or if the points of action of the load are not known.
+    /// object is held, if it would hang only beyond small motions, or if the points of action of the load are not known.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub swing: Option<Motion<C>>,
     /// The loss of equilibrium, or the end of [small motions](crate::Settings::small_motions), whichever comes first; its factor may exceed 1. `None`
@@ -122,8 +122,8 @@ pub enum Holding<const C: usize> {
         /// The contacts that slide under the whole load or have slid before; contacts that only opened are not listed.
         contacts: Vec<WholeContact>,
     },
-    /// Contacts stick and carry the load, but nothing resists a rotation along which the load drives the object on, as a part held below its centre
-    /// of mass. Only loads whose points of action are known, made by [`Wrench::force_at`](crate::planar::Wrench::force_at), are checked.
+    /// Contacts stick and carry the load, but nothing resists a rotation along which the load drives the object on, for example a part held below its
+    /// centre of mass. Only loads whose points of action are known, made by [`Wrench::force_at`](crate::planar::Wrench::force_at), are checked.
     TurnsOver {
         /// The unit motion that nothing resists.
         motion: Motion<C>,
@@ -155,7 +155,7 @@ pub enum Holding<const C: usize> {
     },
 }
 
-/// The first contacts and drives whose states end as the load grows, and the load factor at which they end.
+/// The first contacts and drives that change their states as the load grows, and the load factor at which they do.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -198,13 +198,14 @@ pub struct Lost<const C: usize> {
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub slide: Vec<WholeContact>,
     /// Whether all contacts that press slide: gross slip. At the end of small motions it is true if [`Verdict::everything_slides`] is at least 0.99
-    /// times `factor` and no link carries a force.
+    /// times `factor` and no link, such as a cable or hinge, carries a force.
     pub is_gross_slip: bool,
-    /// Whether the object is lost at the first slip, because some contact has a lower [kinetic friction](crate::grasp::Contact::kinetic).
+    /// Whether the object is lost at the first slip, because some contact has a [kinetic friction](crate::grasp::Contact::kinetic) that is lower than
+    /// its static friction.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "core::ops::Not::not"))]
     pub falls_at_once: bool,
-    /// The load factor up to which the grasp would hold with kinetic friction from the start. `None` unless it is below `factor` and some kinetic
-    /// friction is lower.
+    /// The load factor up to which the grasp would hold with kinetic friction from the start. `None` unless it is below `factor`, and some contact
+    /// has a kinetic friction that is lower than its static friction.
     #[cfg_attr(
         feature = "serde",
         serde(default, skip_serializing_if = "Option::is_none", with = "AsComputed::<Option<f64>>")
@@ -217,7 +218,8 @@ pub struct Lost<const C: usize> {
     /// small.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub motion: Option<Motion<C>>,
-    /// The last equilibrium, at the loss; `None` if it could not be computed, for a loss of the base load, and in brief verdicts.
+    /// The last equilibrium, at the loss; `None` if it could not be computed, for a loss of the base load, and if the verdict was computed without
+    /// equilibria to save time.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub state: Option<Box<Equilibrium<C>>>,
     /// Proof that no equilibrium under the whole load exists near the loss. `None` if the whole load is held, suction cups let go, the object swings
@@ -228,9 +230,9 @@ pub struct Lost<const C: usize> {
 
 /// Proof that no equilibrium under the whole load exists near the loss, whatever contacts have slipped.
 ///
-/// The proof covers displacements of the centroid of the contact points from the state of the loss by up to `translation`, and rotations of the
-/// object by up to `rotation`. The joints of a hand may move their contacts by up to `translation`, too. Both numbers include the rounding of the
-/// sums in the proof.
+/// The proof covers equilibria in which the centroid of the contact points is displaced by up to `translation` from its position at the loss, and the
+/// object is rotated by up to `rotation`. The joints of a hand may move their contacts by up to `translation`, too. Both numbers include the rounding
+/// of the sums in the proof.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]

@@ -1,7 +1,8 @@
 //! Ascent from one starting grasp to a local optimum of places and squeezes. A place is the position of a contact on its curve or surface, a squeeze
 //! the normal force of its command. A design point is one choice of all places and squeezes. An idle contact is open or touches without force at
-//! rest, and stays so until a load pushes it. The goal is the value that the search maximises; the base load acts before the loads of the question
-//! grow. Multipliers are those of the conditions and limits that are active at an optimum.
+//! rest, and stays so until a load pushes it. The goal is the value that the search maximises: the load factor of first slip, or the reserve. The
+//! reserve is the least margin of a contact force to the edge of its friction cone, N. The base load acts before the loads of the question grow.
+//! Multipliers are those of the conditions and limits that are active at an optimum.
 
 use nalgebra::DVector;
 
@@ -174,8 +175,8 @@ impl AscentProblem<'_> {
         Ok(Some(EvaluatedDesign { design_point, parts, value, scale }))
     }
 
-    /// The contact forces in parts, see [`EvaluatedDesign::parts`]. For each load, an idle contact is closed if the load presses it by more than
-    /// `rounded`, N, at the load factor `first`. `None` if nothing resists a load.
+    /// The contact forces in one or several parts, each with other idle contacts closed (see [`EvaluatedDesign::parts`]). For each load, an idle
+    /// contact is closed if the load presses it by more than `rounded`, N, at the load factor `first`. `None` if nothing resists a load.
     fn parts(
         &self,
         design_point: &DesignPoint,
@@ -207,7 +208,7 @@ impl AscentProblem<'_> {
     }
 
     /// For each contact whether it is idle: it is open or touches without force under the base load, and at least one load does not close it. No
-    /// contact is idle under a force of any direction, which pushes all of them.
+    /// contact is idle if the question has a force of any direction, since some direction pushes the object against each contact.
     pub(super) fn idle(&self, given: &DesignPoint) -> Result<Vec<bool>, Error> {
         let none = vec![false; given.idle.len()];
         if self.loaded.any.is_some() {
@@ -225,8 +226,8 @@ impl AscentProblem<'_> {
         Ok(numbered(idle.len(), &is_left_open))
     }
 
-    /// Load factor zero if the given grasp holds the base load without sliding, but a contact touches without force: it slides under the least load.
-    /// `None` if a contact slides or has a gap under the base load, or if no contact touches without force.
+    /// Load factor zero, if the given grasp holds the base load without sliding but a contact touches without force. Such a contact slides under an
+    /// arbitrarily small load. `None` if a contact slides or has a gap under the base load, or if no contact touches without force.
     fn slips_at_once(&self) -> Result<Option<f64>, Error> {
         let outcome = self.grasp.solve(self.loaded.base)?;
         let Some(equilibrium) = outcome.equilibrium() else { return Ok(None) };

@@ -161,7 +161,7 @@ impl StickingForces {
         let mut data = Vec::new();
         match what {
             DesignKind::Press { .. } => {
-                // The command of a contact without force keeps its value, see `DesignPoint::idle`.
+                // An idle contact (open, or touching without force, until a load pushes it) keeps its command.
                 if !design_point.idle[contact] {
                     let command = unit / normal_stiffness(&self.grasp, contact);
                     data.push((Parameter::Command { contact, axis: 0 }, command));

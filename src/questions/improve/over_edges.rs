@@ -1,9 +1,10 @@
 //! Ascent across the edges between triangles of a mesh and the corners between segments of a polyline. A design point is one choice of the places and
-//! squeezes of all fingers. The goal is the value that the search maximises: the load factor of first slip, or a reserve of friction.
+//! squeezes of all fingers. The goal is the value that the search maximises: the load factor of first slip, or a reserve of friction (the least
+//! margin of a contact force to the edge of its cone, N).
 //!
-//! Normals jump at edges and corners, so derivatives on one side of an edge say nothing about the other side. If an ascent ends with fingers at the
-//! edge of their part (a triangle or segment), these fingers are moved to an adjacent part: each finger alone, and all of them together. A further
-//! ascent starts from each of these design points and is kept if it ends at a larger value.
+//! Normals jump at edges and corners, so derivatives on one side of an edge say nothing about the other side. An ascent may end with fingers at the
+//! edge of their part (a triangle or segment). These fingers are then moved to an adjacent part: first each finger alone, then all of them together.
+//! A further ascent starts from each of these design points and is kept if it ends at a larger value.
 
 use super::ascent::{Ascent, AscentProblem, EvaluatedDesign};
 use super::design_point::DesignPoint;

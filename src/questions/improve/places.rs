@@ -32,7 +32,8 @@ pub(super) fn clockwise(a: &SVector<f64, 3>) -> SVector<f64, 3> {
     [a[1], -a[0], 0.0].into()
 }
 
-/// A unit vector at a right angle to the given ones: clockwise of one unit vector in the plane, the cross product of two perpendicular ones in space.
+/// A unit vector at a right angle to the given unit vectors. In the plane it is the one given vector, turned clockwise; in space it is the cross
+/// product of the two given vectors, which are perpendicular.
 fn perpendicular(along: &[SVector<f64, 3>]) -> SVector<f64, 3> {
     match along {
         [a, b, ..] => a.cross(b),
@@ -129,7 +130,7 @@ impl Shape {
                 let along = vec![first / speed];
                 let normal = perpendicular(&along);
                 // Let n be the normal, p the point of the spline and p' its derivative with respect to the parameter of the spline. The derivative of
-                // `n·p' = 0` gives the curvature.
+                // `n·p' = 0` along the curve gives the change of n along p' per metre, `-n·p'' / |p'|²`.
                 let bends = vec![-normal.dot(&second) / (speed * speed)];
                 let open = !spline.is_closed();
                 let rooms =

@@ -41,8 +41,8 @@ impl<const C: usize> Grasp<C> {
 }
 
 impl Need<3> {
-    /// The grasp with the amount set, and its equilibrium under the load under which a contact uses the largest fraction of its friction. `None` if
-    /// no load is held.
+    /// Sets the amount. Returns the grasp, and its equilibrium under that load of the question which makes a contact use the largest fraction of its
+    /// friction. `None` if no load is held.
     fn set_on(&self, given: &Grasp<3>, amount: f64) -> Result<Option<(Grasp<3>, Equilibrium<3>)>, Error> {
         let grown = self.growing(given)?;
         let posed = self.posed(given.space())?.on(&grown)?;
@@ -53,8 +53,8 @@ impl Need<3> {
             Loads::Each(list) => tried(list, &|load| put_on(Ramp::load(*besides, *load * *times)))?,
             Loads::AnyForce { base, size, point } => {
                 let base = *besides + *base * *times;
-                // `most` is the size of the least force that makes a contact slide, in the weakest direction. Times the factor `part`, this force has
-                // the size given in the question, multiplied by `times`.
+                // `most` is the size of the least force, in the weakest direction, that makes a contact slide. The factor `part` scales this force to
+                // the size `size · times`: the size given in the question, times the amount if a multiple of the load is sought.
                 let part = |most: f64| size * times / most;
                 let load = match grasp.weakest_direction(base, *point)? {
                     WeakestDirection::Force { load, size: most, .. } if most > 0.0 => {

@@ -1,6 +1,6 @@
 //! A [`Need`] after a check of its fields, with defaults for all fields that were not given. The load at rest acts before the other loads. An amount
-//! (of squeeze, friction, load, arm, angle or force) is sufficient if the grasp meets the demand with it, e.g. holds the object; a safe amount is
-//! sufficient also with less friction and squeeze, or with larger loads. The squeeze is all that presses without a load.
+//! (of squeeze, friction, load, arm, angle or force) is sufficient if the grasp meets the demand with it, for example holds the object. A safe amount
+//! is sufficient also with less friction and squeeze, or with larger loads. The squeeze is all that presses without a load.
 
 use alloc::borrow::Cow;
 
@@ -33,8 +33,8 @@ impl<const C: usize> Need<C> {
         self.load.iter().chain(&self.loads)
     }
 
-    /// The load in proportion to which the loads of other bodies [grow](Self::together_with). `None` if the question has no load or several, or if an
-    /// arm or an angle is sought.
+    /// The single load of the question; the loads of other bodies [grow](Self::together_with) in proportion to it. `None` if the question has no load
+    /// or several, or if an arm or an angle is sought.
     pub(crate) fn grows(&self) -> Option<Wrench<C>> {
         let is_alone = self.loads.is_empty() && self.any_force.is_none() && self.turn.is_none();
         self.load.filter(|_| is_alone && !matches!(self.quantity, Quantity::Arm | Quantity::Angle))
@@ -57,7 +57,7 @@ pub(super) struct CheckedNeed {
     pub(super) demand: Demand,
     /// For the safe amount: the reductions of friction and squeeze and the factor on loads.
     pub(super) safety: SafetyDeviations,
-    /// Number of amounts that are tried around the bound of the sufficient amounts.
+    /// Number of amounts that are tried on both sides of the bound, the least or greatest sufficient amount, once it is found.
     pub(super) scan: usize,
     /// Units and digits of numbers in the sentences about insufficient amounts.
     pub(super) words: Words,
@@ -81,7 +81,7 @@ pub(super) enum Sought {
     Angle {
         turn: Turn<3>,
     },
-    /// The force of the part with the name `of`, or the load at rest if there is no name.
+    /// The load of the body, or the command or force of the contact, link or joint, with the name `of`; the load at rest if there is no name.
     Force {
         of: Option<String>,
     },
@@ -127,7 +127,7 @@ impl CheckedNeed {
 
     /// This need adapted to a grasp. The friction of a soft fingertip is set at all its points. If no contact has friction, the coefficient of all
     /// contacts is sought; contacts that are parts of links, such as guides, stay frictionless. If no command presses, a force is sought in place of
-    /// a squeeze. It is the load of the only loaded body, or the load at rest if no body is loaded and no contacts overlap.
+    /// a squeeze. This force is the load of the only loaded body, or the load at rest if no body is loaded and no contacts overlap.
     pub(super) fn on(mut self, grasp: &Grasp<3>) -> Result<Self, Error> {
         match &mut self.sought {
             Sought::Friction { contacts: Some(contacts) } => *contacts = grasp.points_of(contacts)?,
@@ -180,7 +180,7 @@ impl CheckedNeed {
         (space == Space::Planar && turns != 0.0).then_some(turns < 0.0)
     }
 
-    /// Whether the sought friction is that of a contact with a coefficient of kinetic friction of its own.
+    /// Whether friction is sought, and a contact whose friction is sought has a kinetic coefficient that differs from its static one.
     pub(super) fn scales_kinetic(&self, all: &[Contact<3>]) -> bool {
         let Sought::Friction { contacts } = &self.sought else { return false };
         any_index(all.len(), &|i| {
@@ -189,7 +189,7 @@ impl CheckedNeed {
         })
     }
 
-    /// The part that exerts the sought force, with the size of that force; `None` for other quantities.
+    /// The body, contact, link or joint that exerts the sought force, with the size of that force; `None` if another quantity is sought.
     pub(super) fn pressed_by(&self, grasp: &Grasp<3>) -> Result<Option<PressedBy>, Error> {
         let Sought::Force { of } = &self.sought else { return Ok(None) };
         let (part, is_body, is_command, size) = match of {

@@ -37,7 +37,7 @@ pub struct ContactPress {
 }
 
 /// The normal force that the user sets at these points of one contact, N, summed over the points. `None` for links, for contacts with a vacuum or a
-/// command across the normal, and if no force is set.
+/// tangential command, and if no force is set.
 pub(super) fn force_set(points: &[Contact<3>]) -> Option<f64> {
     let of_point = |point: &Contact<3>| {
         let is_plain = point.link.is_none()
@@ -97,7 +97,7 @@ fn pressing(presses: &[ContactPress]) -> Vec<&ContactPress> {
     presses.iter().filter(is_meant).list()
 }
 
-/// Whether a number is the same at all these contacts, to within [`ALIKE_IN_WORDS`].
+/// Whether a number is the same at all these contacts, to within the relative difference [`ALIKE_IN_WORDS`] (1e-6), which six digits do not show.
 fn is_alike(presses: &[&ContactPress], number: &dyn Fn(&ContactPress) -> Option<f64>) -> bool {
     let number = |press: &ContactPress| number(press).unwrap_or(0.0);
     let is_same =
@@ -105,15 +105,16 @@ fn is_alike(presses: &[&ContactPress], number: &dyn Fn(&ContactPress) -> Option<
     presses.first().is_some_and(|first| presses.iter().all(|press| is_same(press, number(first))))
 }
 
-/// The normal force that is the same at all pressing contacts, to within [`ALIKE_IN_WORDS`], N; `None` if forces differ.
+/// The normal force that is the same at all pressing contacts, N, to within the relative difference [`ALIKE_IN_WORDS`] (1e-6); `None` if forces
+/// differ.
 pub(super) fn alike(presses: &[ContactPress]) -> Option<f64> {
     let pressing = pressing(presses);
     is_alike(&pressing, &|press| Some(press.force)).then(|| pressing[0].force)
 }
 
 /// The text for a normal force that is the same at all pressing contacts: `name(force)`. In parentheses follow the number to set, `pressed_with`, if
-/// that is also the same at all contacts, and `times`, the multiple of the given squeeze. They are left out if the force itself is the number that
-/// the user sets. `None` if forces, pressures or overlaps differ between contacts.
+/// that is also the same at all contacts, and `times`, the multiple of the given squeeze. The parentheses are left out if the user sets this force
+/// itself. `None` if forces, pressures or overlaps differ between contacts.
 fn all_alike(
     words: Words,
     presses: &[ContactPress],
@@ -137,8 +138,8 @@ pub(super) fn in_short(words: Words, presses: &[ContactPress], times: String) ->
     all_alike(words, presses, &times, &|force| force).unwrap_or(times)
 }
 
-/// The forces of all pressing contacts as text: "12 N at left and right". If forces differ, each is given with its contact. Unless the force is the
-/// number that is set, the text has that number and `times`, the multiple of the given squeeze.
+/// The forces of all pressing contacts as text: "12 N at left and right". If forces differ, each is given with its contact. If the user sets another
+/// number than this force, the text also has the number to set, `pressed_with`, and `times`, the multiple of the given squeeze.
 pub(super) fn in_words(words: Words, presses: &[ContactPress], times: String) -> String {
     let pressing = pressing(presses);
     let names: Vec<_> = mapped(&pressing, &|press| press.part.text());
@@ -154,8 +155,7 @@ pub(super) fn in_words(words: Words, presses: &[ContactPress], times: String) ->
         None => {
             let each: Vec<_> =
                 mapped(&pressing, &|press| format!("{} at {}", press.in_words(words), press.part.text()));
-            // The words " at rest" mark forces that are not the forces that the user sets: if such a force is entered as `pressed_with`, the grasp is
-            // another one.
+            // The words " at rest" mark forces that the user does not set. Entered as `pressed_with`, such a force would give another grasp.
             let at_rest = if pressing.iter().all(|press| press.names_itself()) { "" } else { " at rest" };
             format!("{}{at_rest} ({times})", listed(&each))
         }

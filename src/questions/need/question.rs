@@ -1,6 +1,7 @@
-//! A [`Need`]: the sought quantity (squeeze, friction, load, arm, angle or force), the loads and the demand. A value of the quantity is an amount; it
-//! is sufficient if the grasp meets the demand with it, and safe if also with less friction and squeeze, or with larger loads. The squeeze is all
-//! that presses without a load; at rest means under the loads that act before the loads of the question.
+//! A [`Need`]: the sought quantity (squeeze, friction, load, arm, angle or force), the loads and the demand. A value of the quantity is an amount. It
+//! is sufficient if the grasp meets the demand with it, for example holds the object. It is safe if it is sufficient also with less friction and
+//! squeeze, or with larger loads. The squeeze is all that presses without a load; at rest means under the loads that act before the loads of the
+//! question.
 
 use alloc::collections::BTreeMap;
 

@@ -1,6 +1,7 @@
 //! Stopping tolerances of the search for an amount, and the ratios and numbers of the amounts that it tries. An amount (of squeeze, friction, load,
-//! arm or angle) is sufficient if the grasp meets the demand with it; the bound is the least or greatest sufficient amount. At rest means under the
-//! loads that act before the loads of the question.
+//! arm or angle) is sufficient if the grasp meets the demand with it, for example holds the object. The result for one amount, sufficient or not, is
+//! a verdict. The bound is the least or greatest sufficient amount. A safe amount is sufficient also with less friction and squeeze, or with larger
+//! loads. At rest means under the loads that act before the loads of the question.
 //!
 //! Easier amounts are larger if the least amount is sought, smaller if the greatest is sought. The far end is the last sufficient amount on the
 //! easier side of the bound. A scan tries further amounts on both sides of a bound that is already found.
@@ -14,8 +15,8 @@ use super::threshold::WidthSchedule;
 /// Two amounts at this relative distance differ by rounding alone.
 ///
 /// The search estimates the bound from both sides. Each time it tries an amount at this distance beyond the estimate; two such trials leave a bracket
-/// within [`EXACT`]. The search for an end of the range stops once a step moves the end by less than this distance. If smaller, rounding determines
-/// on which side of the bound the trial is. From 5e-13 on, the bracket needs more trials.
+/// that is narrower than [`EXACT`] (1e-12) requires. The search for an end of the range stops once a step moves the end by less than this distance.
+/// If smaller, rounding determines on which side of the bound the trial is. From 5e-13 on, the bracket needs more trials.
 pub(super) const LAST_DIGITS: f64 = 1e-13;
 
 /// The search for the least coefficient of friction ends at an interval of this relative width.
@@ -25,12 +26,12 @@ pub(super) const SAME_COEFFICIENT: f64 = 1e-10;
 
 /// Distances from a proved end of the range, relative to it, at which amounts inside and outside are tried.
 ///
-/// If the end is exact, the first distance gives a bracket within [`EXACT`]. The other distances exceed the error of the proved end. Without them
-/// both trials next to an inaccurate end would be on the same side of the bound of the sufficient amounts.
+/// If the end is exact, the first distance gives a bracket that is narrow enough for [`EXACT`] (1e-12). The other distances exceed the error of the
+/// proved end. Without them both trials next to an inaccurate end would be on the same side of the bound of the sufficient amounts.
 pub(super) const NEAR_AN_END: [f64; 3] = [4e-13, 1e-8, 1e-5];
 
-/// Ratio of successive amounts in a search that tries only a few easier amounts, and in the first steps from a sufficient amount to an insufficient
-/// one.
+/// Ratio of successive amounts in a search that tries easier amounts only, in wide steps. In a search for an insufficient amount beyond a sufficient
+/// one, the ratio of the first two amounts; the ratio of later steps grows by this factor.
 ///
 /// A bracket whose ends have a larger ratio is halved in logarithms, since arithmetic means approach the smaller end slowly.
 pub(super) const FAR_APART: f64 = 4.0;
@@ -38,7 +39,8 @@ pub(super) const FAR_APART: f64 = 4.0;
 /// While the ratio of the tried amount to the first amount is below this number, the search takes small steps. From this ratio on, each step
 /// multiplies the amount by this number.
 ///
-/// If smaller, intervals of sufficient amounts a little away from the start are missed. If larger, a search without a sufficient amount takes longer.
+/// If smaller, large steps begin nearer to the first amount, and may step over an interval of sufficient amounts. If larger, a search without a
+/// sufficient amount takes longer.
 pub(super) const FAR_FROM_START: f64 = (1u32 << NEAR_DOUBLINGS) as f64;
 
 /// The small steps of the search end after this many doublings, at [`FAR_FROM_START`].
@@ -61,17 +63,20 @@ pub(super) const EXACT: WidthSchedule = &[(0, 1e-12), (64, 5e-10)];
 /// If smaller, halvings take most of the time of an answer. If larger, the width shows in the answer.
 pub(super) const AT_A_JUMP: f64 = 1e-6;
 
-/// The relative width at which the bracket of the sought amount is narrow enough in space. There verdicts come from load paths with step errors.
+/// The relative width at which the bracket of the sought amount is narrow enough in space. In space verdicts come from load paths, which have step
+/// errors.
 ///
-/// If narrower, load paths begin where equilibria vanish (a fold), with hundreds of short steps. If wider, the width shows in the answer.
+/// If narrower, load paths begin so close to a fold (where equilibria vanish) that they take hundreds of short steps. If wider, the width shows in
+/// the answer.
 pub(super) const EXACT_IN_SPACE: WidthSchedule = &[(0, 1e-9)];
 
-/// The relative widths at which the bracket of an additional amount, `sticks` or `safe`, is narrow enough, as a schedule of steps and widths. If
-/// narrower, an answer needs many more trials.
+/// The relative widths at which the bracket of an additional amount in the answer is narrow enough, as a schedule of steps and widths. With the
+/// amount `sticks` nothing slides; `safe` is the safe amount. If narrower, an answer needs many more trials.
 pub(super) const SECOND: WidthSchedule = &[(0, 2e-12), (5, 1e-8)];
 
-/// The relative widths at which a bracket that is not the bracket of the bound is narrow enough, as a schedule of steps and widths. An answer may
-/// have eight such brackets, so narrower ones would cost most of the trials.
+/// Beside the bound there may be further changes between sufficient and insufficient amounts. These are the relative widths at which a bracket of
+/// such a change is narrow enough, as a schedule of steps and widths. An answer may have eight such brackets, so narrower ones would cost most of the
+/// trials.
 pub(super) const BESIDE_A_BOUND: WidthSchedule = &[(0, 1e-10), (16, 1e-8), (20, 1e-4)];
 
 /// Upper limit of the ratio of a tried amount to the first amount of the search, and of the first amount to a tried one.
@@ -86,12 +91,12 @@ pub(super) const NEAR_A_PREDICTION: f64 = 1e-9;
 
 /// Between two neighbouring amounts with different contact states at rest, a further amount is tried only if their ratio exceeds this number.
 ///
-/// If smaller, narrow intervals of other verdicts are sought that hardly matter. If larger, more of them are missed.
+/// If smaller, the search spends verdicts on intervals too narrow to matter. If larger, it misses more intervals in which the verdict differs.
 pub(super) const BETWEEN_STATES: f64 = 1.05;
 
-/// After a scan, two margins are extrapolated linearly from neighbouring sufficient amounts: the carried part of the load less 1, and the distance to
-/// the limit of small motions or of sticking at rest. If a margin is predicted to be zero at an amount x before the next sufficient amount, an amount
-/// beyond x is tried. The tried amount lies at this fraction of the way from x to that next amount.
+/// After a scan, two margins are extrapolated linearly from neighbouring sufficient amounts. One is the carried part of the load less 1. The other is
+/// the distance to the limit of small motions, or of sticking at rest. If a margin is predicted to be zero at an amount x before the next sufficient
+/// amount, an amount beyond x is tried. The tried amount lies at this fraction of the way from x to that next amount.
 ///
 /// If smaller, rounding or a curved margin may hide insufficient amounts beyond x. If larger, a narrow interval of insufficient amounts is stepped
 /// over.
@@ -100,30 +105,30 @@ pub(super) const BEYOND_A_MARGIN: f64 = 0.1;
 /// Upper limit of the number of amounts that are tried after a scan, between its amounts. They are tried where a margin is predicted to be zero (see
 /// [`BEYOND_A_MARGIN`]), and between neighbouring amounts with different contact states at rest.
 ///
-/// With fewer, intervals of other verdicts are missed. Each amount costs a verdict.
+/// With fewer, intervals in which the verdict differs are missed. Each amount costs a verdict.
 pub(super) const BETWEEN: usize = 5;
 
-/// Of the [`BETWEEN`] amounts, at most this number are tried because a margin is predicted to be zero (see [`BEYOND_A_MARGIN`]), or because the whole
-/// load might be carried.
+/// Upper limit of the number of amounts that are tried after a scan because a margin is predicted to be zero (see [`BEYOND_A_MARGIN`]), or because
+/// the whole load might be carried. They are among the at most [`BETWEEN`] amounts that are tried between the amounts of the scan.
 ///
-/// A margin that falls less and less steeply is zero farther on than its first extrapolation predicts. If 1, insufficient amounts there are missed.
-/// If larger, too few amounts are left to try between different contact states at rest.
+/// A margin that falls less and less steeply becomes zero beyond the amount that its first extrapolation predicts. If 1, no second extrapolation is
+/// made, and insufficient amounts beyond this zero are missed. If larger, too few amounts are left to try between different contact states at rest.
 pub(super) const WHERE_MARGINS_VANISH: usize = 2;
 
-/// If the first amount of the search is easier (such as more squeeze or less load) than the bound by more than this ratio, still easier amounts are
-/// tried as well. The scan around the bound does not extend that far.
+/// The first amount of the search may be easier than the bound, such as more squeeze or less load. If it is easier by more than this ratio, still
+/// easier amounts are tried, too: the scan around the bound does not extend that far.
 ///
-/// If smaller, answers take more verdicts. If larger, the end of the sufficient amounts is missed if it is little easier than the first amount.
+/// If smaller, answers take more verdicts. If larger, the far end of the sufficient amounts is missed if it lies just beyond the first amount.
 pub(super) const FAR_BEHIND: f64 = 4.0;
 
-/// Number of tried amounts that are easier than the first amount of the search (such as more squeeze or less load), in the case of [`FAR_BEHIND`].
-/// The easiest of them has the ratio 4 to the first amount.
+/// Number of tried amounts that are easier than the first amount of the search (such as more squeeze or less load). They are tried if the first
+/// amount is easier than the bound by more than the ratio [`FAR_BEHIND`]. The easiest of them has the ratio 4 to the first amount.
 ///
-/// With fewer, narrow intervals of other verdicts are missed. Each amount costs a verdict.
+/// With fewer, more intervals of insufficient amounts are missed. Each amount costs a verdict.
 pub(super) const NEAR_THE_START: usize = 3;
 
-/// If a greatest amount is sought, amounts far below the bound are tried, too: the bound, or the first amount of the search if it is smaller, divided
-/// by these numbers. For example, a force beside the fingers may turn the object out with an arm that is far shorter than the grasp.
+/// If a greatest amount is sought, amounts far below the bound are tried, too. They are the bound, or the first amount of the search if that is
+/// smaller, divided by these numbers. For example, a force beside the fingers may turn the object out with an arm that is far shorter than the grasp.
 ///
 /// Without these amounts, the least arm that suffices is missed if it is very short. Each costs a verdict.
 pub(super) const TOWARDS_ZERO: [f64; 3] = [16.0, 256.0, 65536.0];
@@ -135,14 +140,14 @@ pub(super) const TOWARDS_ZERO: [f64; 3] = [16.0, 256.0, 65536.0];
 /// over.
 pub(super) const NARROW: f64 = 0.01;
 
-/// A scan around the bound of a safe amount is made if this bound is easier (such as more squeeze or less load) than the first amount of the search
-/// by more than this ratio.
+/// The bound of the safe amounts may be easier than the first amount of the search, such as more squeeze or less load. A scan around this bound is
+/// made if it is easier by more than this ratio.
 ///
 /// If smaller, most safe amounts take the trials of a scan. If larger, an interval of sufficient amounts that the search stepped over stays unseen.
 pub(super) const STEPPED_OVER: f64 = 1.25;
 
 /// Coefficient of friction up to which the search asks whether more friction fails; few surfaces have more.
 ///
-/// If smaller, a wedge whose real friction is above the scene's is said to hold. If larger, a change between the scene's coefficient and this one is
-/// stepped over more easily.
+/// If smaller, a wedge is said to hold although it fails with the real friction, which may be larger than that of the scene. If larger, the search
+/// more easily steps over an interval of insufficient amounts between the scene's coefficient and this one.
 pub(super) const USUAL_FRICTION: f64 = 1.0;

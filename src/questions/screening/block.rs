@@ -4,7 +4,7 @@
 
 use super::lanes::Packed;
 
-/// Upper limit of the number of contacts of a grasp in `Fingers` and `Batch`; a [`PointBatch`](super::PointBatch) allows more.
+/// Upper limit of the number of contacts of a grasp in the batches `Fingers` and `Batch`; a [`PointBatch`](super::PointBatch) allows more.
 pub(super) const MOST_SCREENED: usize = 5;
 /// Upper limit of the number of contact points of a grasp in a [`PointBatch`](super::PointBatch).
 pub(super) const MOST_POINTS: usize = 64;
@@ -38,9 +38,9 @@ pub(super) struct Block<'a, const C: usize, X: Packed> {
     pub(super) commands_and_clearances: &'a [X],
 }
 
-/// Commanded displacements less clearances, m: the component along the normal (`pressed`), and the vector across it (`sheared`, with axes as in
-/// [`super::finger::Force`]). One vector in coordinate axes for both would have the rounding of a large normal component. A stiff tangential spring
-/// would turn this rounding into a force.
+/// Commanded displacements less clearances, m: the component along the normal (`pressed`), and the tangential vector (`sheared`, in space along the
+/// coordinate axes, see [`super::finger::Force`]). One vector in coordinate axes for both would have the rounding of a large normal component. A
+/// stiff tangential spring would turn this rounding into a force.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Commanded<'a, const C: usize, X: Packed> {
     pub(super) pressed: &'a [X],
@@ -48,7 +48,7 @@ pub(super) struct Commanded<'a, const C: usize, X: Packed> {
 }
 
 /// Bounds on the sums of the absolute values of the terms that add up to a contact force. The rounding error of the force is proportional to such a
-/// sum. The bounds are zero if forces are found by [`Method::Motions`](super::method::Method::Motions).
+/// sum. The bounds are zero if forces are found from the motion of the object ([`Method::Motions`](super::method::Method::Motions)).
 #[derive(Debug, Clone, Copy)]
 pub(super) struct TermSizes<X: Packed> {
     /// Bound on the sum of the absolute values of the terms of a contact force that are due to the commands, N.
@@ -71,7 +71,8 @@ impl<const C: usize> Layout<C> {
     /// ([`Method::Edges`](super::method::Method::Edges)).
     pub(super) const SPRINGS: usize = 3 * C;
     pub(super) const PRESSED: usize = 3 * C + 2;
-    /// The row of coefficients of friction, or of the codes [`OPENS_ONLY`](super::cone::OPENS_ONLY) and [`STAYS`](super::cone::STAYS).
+    /// The row of coefficients of friction. In place of a coefficient there may be a code: [`OPENS_ONLY`](super::cone::OPENS_ONLY) for a contact that
+    /// stops sticking only by opening, [`STAYS`](super::cone::STAYS) for one that never stops.
     pub(super) const FRICTION: usize = 3 * C + 3;
     const OF_A_CONTACT: usize = 3 * C + 4;
     /// The number of components of loads and of motions of the object.

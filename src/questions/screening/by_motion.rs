@@ -100,7 +100,8 @@ fn let_go<const C: usize, X: Packed>(
     let (mut left, mut part) =
         if commands.is_some() { body.unbalanced(block, contacts, load) } else { (*load, zero) };
     let mut moved = [zero; 6];
-    // One refinement is enough unless stiffnesses differ very much. If forces are still unbalanced after three refinements, the verdict is unclear.
+    // One refinement is enough unless stiffnesses differ very much. If forces are still unbalanced after three refinements, the answer for this grasp
+    // is undecided.
     let most_times = 3;
     for time in 0..=most_times {
         let q = body.motion(&left);
@@ -121,8 +122,8 @@ fn let_go<const C: usize, X: Packed>(
         if time == most_times || improvable.is_all(0.0) {
             break;
         }
-        // For grasps whose forces are accurate enough already, the residual is set to zero. Thus their answers do not depend on the grasps in
-        // neighbouring lanes.
+        // For grasps whose relative imbalance of forces is at most `IMPROVABLE`, the residual is set to zero. Thus their answers do not depend on the
+        // grasps in neighbouring lanes.
         for entry in &mut left {
             *entry = improvable.above(zero, *entry, zero);
         }
@@ -153,8 +154,8 @@ fn move_object<const C: usize, X: Packed>(
 }
 
 /// Bounds the rounding error of each contact force by a fraction of the sum of two terms. The first term is the force itself. The second term is the
-/// force that the contact's spring would exert if it were stretched by the command and the whole motion of the object. This spring force is counted
-/// up to the sum of the load, all contact forces and the second largest spring force. The reason: errors of displacements cause forces that balance
+/// force that the contact's spring would exert if it were stretched by the command and the whole motion of the object. The second term is limited to
+/// the sum of the load, all contact forces and the second largest spring force. The reason is that errors of displacements cause forces that balance
 /// each other, which takes at least two contacts.
 #[inline(always)]
 fn bound_rounding<const C: usize, X: Packed>(

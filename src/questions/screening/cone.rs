@@ -14,8 +14,8 @@ pub(super) struct StickingCone<X: Packed> {
 
 /// The code in place of a coefficient of friction that is zero or infinite: such a contact stops sticking only by opening.
 pub(super) const OPENS_ONLY: f64 = -1.0;
-/// The code stored in place of a coefficient of friction for a contact that never stops sticking. Such a contact is bonded, or kept closed with zero
-/// or infinite friction.
+/// The code stored in place of a coefficient of friction for a contact that never stops sticking. Such a contact is bonded (it neither opens nor
+/// slides), or it is kept closed by assumption and has zero or infinite friction.
 pub(super) const STAYS: f64 = 0.0;
 
 impl<X: Packed> StickingCone<X> {

@@ -1,10 +1,10 @@
 //! Derivatives of the load factor at first slip with respect to all data of a grasp.
 //!
-//! At the load factor τ the margin m of the contact that leaves its cone (stops sticking) vanishes. Therefore `dτ = -dm / m'`, with m' the derivative
-//! of m with respect to τ. Let g = ∂m/∂F be the derivative of m with respect to the force of that contact. The springs are solved once more, with g
-//! as the command of its finger (the displacement without the object) and nothing else. All derivatives follow from the forces P and the motion (v,
-//! ω̄) of the object in that second solution. With the forces F and the motion (u, ω) of the object at first slip, the derivatives with respect to
-//! the data of each contact are
+//! At the load factor τ of first slip a contact leaves its cone (stops sticking), so that its margin m, the distance of its force from the edge of
+//! the cone, vanishes. Therefore `dτ = -dm / m'`, with m' the derivative of m with respect to τ. Let g = ∂m/∂F be the derivative of m with respect to
+//! the force of that contact. The equilibrium of the springs is computed once more, with g as the command of its finger (the displacement without the
+//! object) and nothing else. All derivatives follow from the forces P and the motion (v, ω̄) of the object in that second solution. With the forces F
+//! and the motion (u, ω) of the object at first slip, the derivatives with respect to the data of each contact are
 //!
 //! ```text
 //! ∂m/∂a = P                          command                 ∂m/∂p = ω̄ × F + ω × P        point
@@ -28,7 +28,8 @@ use super::screened::Screened;
 use super::springs::Cause;
 use crate::numerics::Vectors;
 
-/// The question of screening for the derivatives, with respect to all data, of the load factor at first slip under this growing load (`pull`).
+/// A question that screening answers: what are the derivatives, with respect to all data, of the load factor at first slip under the growing load
+/// `pull`?
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct GradientOf<const C: usize> {
     pub(super) pull: Pull<C>,

@@ -149,8 +149,9 @@ impl<const C: usize> PointBatch<C> {
         // Kernels write every answer, so that old answers in reused memory need not be cleared.
         let of_grasp = questions.len() * Q::answers(self.contacts);
         answers.resize(self.len * of_grasp, Q::UNKNOWN);
+        // A batch of grasps without contacts has no blocks, but chunks need a length.
         let (blocks, numbers, commands_and_clearances) =
-            (blocks.max(1), Layout::<C>::numbers(self.contacts), 2 * self.contacts);
+            (blocks.max(1), Layout::<C>::numbers(self.contacts), (2 * self.contacts).max(1));
         let slots = answers.chunks_mut((blocks * LANES * of_grasp).max(1));
         let parts = self
             .numbers

@@ -1,6 +1,7 @@
 //! The interaction of errors of several data in their effect on a contact force. It is the change of the force if all data are in error at once, less
-//! the sum of the changes due to each datum alone. It is computed at the point of failure of a facet: the smallest errors at which the margin of this
-//! facet vanishes (see [`margin`](super::margin)). A drive is a motor, clutch or tendon of a joint.
+//! the sum of the changes due to each datum alone. It is computed for each facet (plane side) of a friction cone, at the point of failure of the
+//! facet. At these smallest errors the force reaches the facet: its distance from the facet, the margin, vanishes (see [`margin`](super::margin)). A
+//! drive is a motor, clutch or tendon of a joint.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -17,7 +18,7 @@ use crate::prelude::*;
 
 /// Number of random sets of errors, each with plus or minus one standard deviation per datum, from which the size of interactions is estimated.
 ///
-/// If larger, more equilibria are computed for each load with reserve. If smaller, the estimate is less certain.
+/// If larger, more equilibria are computed for each load whose failure probability is sought. If smaller, the estimate is less certain.
 const PROBES: usize = 8;
 
 /// The grasp whose data are uncertain, in fixed contact states (each contact sticks or is open). It gives exact contact forces with several data in
@@ -65,8 +66,8 @@ impl PerturbedGrasp {
         numbered(PROBES, &probe)
     }
 
-    /// For each facet of a contact, the interaction of all data errors in the contact force: the exact change of the force less the sum of the
-    /// changes due to single errors, at the facet's point of failure under a load. Zero for facets whose failure probability is below `rare`; an
+    /// For each facet of a contact's friction cone, the interaction of all data errors at the facet's point of failure under a load. It is the exact
+    /// change of the contact force less the sum of the changes due to single errors. Zero for facets whose failure probability is below `rare`; an
     /// empty list without uncertain data. `probes` are those of [`Self::probes`] under the same load.
     pub(super) fn of_facets<'p>(
         &self,

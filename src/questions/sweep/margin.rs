@@ -5,11 +5,12 @@
 //! m(z) = μ exp(σ z_f) F_n(z) - h·F_t(z),      F(z) = F + Σ_i Δ_i(z_i)
 //! ```
 //!
-//! Here μ is the coefficient of friction, σ the standard deviation of its logarithm, and h the unit vector of the facet. The vector z has the errors
-//! of the data, in standard deviations. The change Δ_i of the contact force due to the error of datum i is a polynomial through exact forces at a few
-//! errors. The [interaction](super::interaction) of several data is computed at the point of failure and added as a constant force.
+//! Here μ is the coefficient of friction, σ the standard deviation of its logarithm, and h the unit normal of the facet in the tangent plane. The
+//! vector z has the errors of the data, in standard deviations; its last entry z_f is the error of friction. The change Δ_i of the contact force due
+//! to the error of datum i is a polynomial through exact forces at four errors. The [interaction](super::interaction) of several data is computed at
+//! the point of failure and added as a constant force.
 //!
-//! The reliability β is the length of the shortest z at which the margin vanishes, the point of failure (Hasofer and Lind, Exact and invariant
+//! The point of failure is the shortest z at which the margin vanishes. Its length is the reliability β (Hasofer and Lind, Exact and invariant
 //! second-moment code format, 1974). Steps towards it are shortened until a merit function of distance and margin falls (Zhang and Der Kiureghian,
 //! Two improved algorithms for reliability analysis, 1995). No step goes beyond the distance at which the failure probability is negligible.
 
@@ -78,7 +79,8 @@ pub(super) struct FacetMargin {
     pub(super) gradient: Vec<f64>,
     pub(super) steepness: f64,
     reliability: f64,
-    /// The failure probability divided by `Φ(-β)`: the correction by [`second_order`](super::second_order), or 1 without this correction.
+    /// The failure probability divided by its first-order estimate `Φ(-β)`, with the normal distribution function Φ: the correction by
+    /// [`second_order`](super::second_order), or 1 without this correction.
     curved: f64,
 }
 
@@ -93,8 +95,7 @@ impl UncertainForce<'_> {
         FirstOrder { force: self.force, spread, friction: self.friction }
     }
 
-    /// The force for the data as given, N, plus the interaction of the errors of all data that was computed for the facet with the index `row`, from
-    /// 0.
+    /// The force for the data as given, plus the force due to the interaction of errors at the facet with the index `row`, from 0; N.
     fn known(&self, row: usize) -> SVector<f64, 3> {
         self.joint.get(row).map_or(self.force, |joint| self.force + joint.force)
     }
@@ -225,9 +226,9 @@ impl UncertainForce<'_> {
         factor * normal + other
     }
 
-    /// How often, on average, the margin changes from positive to negative as the facet's angle θ grows, per radian. This is the integrand `φ(β)
-    /// E[(X' - β')₊]` that [`super::failure`] explains, times the second-order correction of the failure probability. `turned` is the derivative of
-    /// the facet with respect to θ.
+    /// How often, on average, the margin changes from positive to negative as the facet's angle θ grows, per radian. The head of [`super::failure`]
+    /// derives this rate from the reliability of the facet. Here it is multiplied by the second-order correction of the failure probability. `turned`
+    /// is the derivative of the facet with respect to θ.
     pub(super) fn crossings(&self, margin: &FacetMargin, turned: &SVector<f64, 3>) -> f64 {
         if margin.steepness == 0.0 {
             return 0.0;

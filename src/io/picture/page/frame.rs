@@ -1,4 +1,4 @@
-//! The content of one answer of a page.
+//! The content of one answer on a page. A page is an HTML file that draws a grasp with one or several answers.
 
 use crate::ask::Grasp;
 use crate::equilibrium::Equilibrium;

@@ -75,8 +75,8 @@ impl<const C: usize> Bodies<C> {
             self.hand = contacts.into_iter().map(Finger::fixed).fold(self.hand, Hand::finger);
         }
 
-        /// Adds hinges, slides, springs or cables between the bodies or to the ground. The contacts that model these links come after all other
-        /// contacts.
+        /// Adds hinges, slides (linear guides), springs or cables between the bodies or to the ground. The contacts that model these links come after
+        /// all other contacts.
         pub fn links(mut self, links: impl IntoIterator<Item = Link<C>>) { self.links.extend(links); }
 
         /// Sets the hand that holds the bodies. The hand replaces all contacts given before.
