@@ -1,4 +1,4 @@
-//! Polar charts: curves of a number that depends on a direction in the plane.
+//! Polar charts: curves of a number that depends on a direction in the plane. The rim is the outer circle of a chart.
 
 use crate::numerics::{IntoList, counted, largest, mapped};
 use std::f64::consts::{FRAC_PI_2, PI};

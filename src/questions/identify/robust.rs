@@ -57,8 +57,9 @@ impl Huber {
         u.clamp(-self.0, self.0)
     }
 
-    /// The mean derivative of Huber's psi with respect to the residuals, corrected for the number of unknowns; at least about a half. `all` is the
-    /// number of residuals, `inside` the number of residuals that are not clamped (Huber and Ronchetti, Robust Statistics, 2009, 7.6).
+    /// The mean derivative of Huber's psi with respect to the residuals, i.e. the fraction of residuals that are not clamped, corrected for the
+    /// number of unknowns. `all` is the number of residuals, `inside` the number of those not clamped. The fraction is taken as at least a half
+    /// (Huber and Ronchetti, Robust Statistics, 2009, 7.6).
     pub(super) fn slope(all: usize, inside: usize, unknowns: usize) -> f64 {
         let part = (inside as f64 / all as f64).max(0.5);
         part / (1.0 + unknowns as f64 / all as f64 * (1.0 - part) / part)

@@ -142,8 +142,8 @@ impl Range {
         }
         let (Some(mut last), mut low, mut high) = (left(least)?, least, most) else { return Ok(()) };
         let mut secant = None;
-        // For limits with a ratio of 2⁴⁰ about 40 halvings are needed, the first ones in logarithms. With fewer, the end of the range would be less
-        // accurate.
+        // If the ratio of the limits `high` and `low` is 2⁴⁰, about 40 halvings are needed, of which the first halve the logarithm of this ratio.
+        // With fewer than eighty steps allowed, the end of the range might be less accurate.
         for _ in 0..80 {
             if high - low <= SAME_COEFFICIENT * high {
                 break;

@@ -1,7 +1,8 @@
 //! The coordinates that belong to each body, the two bodies that each contact joins, and the loads on bodies.
 //!
-//! One body, on which the loads act that the caller passes to a question such as `hold`, has the coordinates of the object. The coordinates of the
-//! other bodies follow those of the joints. A load program is a sequence of ramps and turns of the loads, along which a load path is followed.
+//! One of the bodies has the coordinates of the object, which come first; the coordinates of the other bodies follow those of the joints. Unless it
+//! is shared among several bodies, the load that the caller passes to a question such as `hold` acts on the body with the object's coordinates. A
+//! load program is a sequence of ramps and turns of the loads, along which a load path is followed.
 
 use alloc::sync::Arc;
 
