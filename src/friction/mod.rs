@@ -73,9 +73,9 @@
 
 // Files. Input: `problem` validates it. Law: `law` computes residuals of Coulomb's law, `checked_solution` accepts forces as a solution. `solve`
 // chooses the methods, `islands` splits the problem. A few contacts: `facets` poses the complementarity problem, `polygons` and `newton` continue on
-// the round cone. Many contacts: `approach` combines `sweeps` over `one_contact`, the `central_path` (around its `folds`) and `alart_curnier`. The
-// last two are `equations` in `blocks`, solved by `elimination`. `certificate` proves that no solution exists. `tolerances` holds the limits for
-// rounding.
+// the round cone. Many contacts: `approach` combines `sweeps` over `one_contact`, the `central_path` (around its `folds`) and `alart_curnier`.
+// `central_path` and `alart_curnier` have the form of `equations` in `blocks`, solved by `elimination`. `certificate` proves that no solution exists.
+// `tolerances` holds the limits for rounding.
 
 mod alart_curnier;
 mod approach;

@@ -42,8 +42,8 @@ pub(super) const DRIFTED: f64 = 1e-10;
 /// This fraction of the largest |q_i| is added to the terms of every row when the drift of the dictionary, its violation of w = q + M z + d z₀, is
 /// measured.
 ///
-/// Otherwise a row whose terms are all noise would have nothing to be compared with. With a smaller fraction, such rows cause refactorisations that
-/// do not help. With a larger fraction, drift in rows of small terms is not noticed.
+/// Without this addition, the violation of a row whose terms are all rounding errors would be as large as the terms, and would count as drift. With a
+/// smaller fraction, such rows cause refactorisations that do not help. With a larger fraction, drift in rows of small terms is not noticed.
 pub(super) const DRIFT_FLOOR: f64 = 1e-3;
 
 /// A basic z_j that is zero up to rounding is removed from the basis only if the pivot is at least this fraction of the largest entry of the pivot

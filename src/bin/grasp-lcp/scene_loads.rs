@@ -58,7 +58,7 @@ pub(crate) fn first_base<const C: usize>(setup: &Setup<C>) -> Option<(usize, Wre
 }
 
 /// The scene's own question `need` for the sought quantity. `None` if the scene has no such question, or if the command line gives a load or another
-/// option that replaces it.
+/// option in place of the question's data.
 pub(crate) fn own_need(
     setup: &Setup<3>,
     need_arguments: &NeedArguments,

@@ -34,8 +34,8 @@ pub enum Onset<const C: usize> {
     GivesWay {
         /// The load factor up to which the grasp holds.
         factor: f64,
-        /// The reason why no equilibrium exists beyond. A work stated in the reason is done by the rate of the load, J per unit of the load factor
-        /// (J/rad for a turn).
+        /// The reason why no equilibrium exists beyond this load factor. A work stated in the reason is done by the rate of the load, J per unit of
+        /// the load factor (J/rad for a turn).
         reason: NoEquilibrium<C>,
     },
     /// The search for the equilibrium at load factor 0 was undecided, or the path to the onset depends on rounding.

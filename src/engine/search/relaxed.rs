@@ -189,8 +189,8 @@ impl BalanceEquation {
                 nearest.move_to_closest(&self.target);
             }
         }
-        // The case is not clearly contradicted. The caller then divides it into smaller cases. This is safe, since a case is only given up once it is
-        // contradicted.
+        // The case is not clearly contradicted. The caller then divides it into smaller cases. This is safe, since only contradicted cases are
+        // excluded from the search.
         self.sum(hulls, nearest)
     }
 

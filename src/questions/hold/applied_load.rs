@@ -205,9 +205,9 @@ impl Engine {
         }
         let there = state.as_ref().or_else(|| verdict.lost.as_ref()?.state.as_deref());
         let rest = rest.filter(|_| ramp.command_change.is_none() && ramp.joint_change.is_none());
-        // The fraction of the springs' resistance that contact forces take away (negative) is computed without the effect of the load's points of
-        // action. If these points are known, buckling is decided above. A fraction of -1 or less (all resistance is taken away) would contradict that
-        // decision, so it is dropped.
+        // The fraction of the springs' resistance that contact forces take away, a negative number, is computed without the effect of the load's
+        // points of action. If these points are known, buckling is decided above. A fraction of -1 or less (all resistance is taken away) would
+        // contradict that decision, so it is dropped.
         let is_open = |part: &f64| *part > -1.0 || !self.may_buckle(&ramp.load_at(1.0));
         let by_the_load = rest
             .zip(there)

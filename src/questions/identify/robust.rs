@@ -37,9 +37,9 @@ impl Huber {
         residuals.map(|u| self.pull(u).powi(2)).sum()
     }
 
-    /// A robust standard deviation of residuals with this number of degrees of freedom (Huber's second proposal). Residuals divided by it and clamped
-    /// have the mean square that clamped normal numbers have. If the loss is quadratic for all residuals, it is the standard deviation of least
-    /// squares.
+    /// A robust standard deviation of residuals with this number of degrees of freedom (Huber's second proposal). It is defined so that the
+    /// residuals, divided by this deviation and clamped, have the mean square of clamped normally distributed numbers. If the loss is quadratic for
+    /// all residuals, this deviation is that of least squares.
     pub(super) fn scale(self, residuals: &[f64], degrees: usize) -> f64 {
         let all = summed(residuals, &|r| r * r);
         let expected = degrees.max(1) as f64 * self.mean_square();

@@ -185,7 +185,7 @@ impl Improved<3> {
 
 impl Placed<3> {
     /// The value of `pressed_with`, and the normal force at rest where it reads differently: "10 N (at rest 9.6 N)". `largest` is the largest force
-    /// of all contacts, N; a force that is only rounding of it is written as zero.
+    /// of all contacts, N; a force as small as the rounding error of `largest` is written as zero.
     fn press_text(&self, largest: f64, words: Words) -> String {
         let given = words.number(words.beside(self.pressed_with.unwrap_or(0.0), largest));
         let at_rest = words.number(words.beside(self.normal_force, largest));

@@ -88,14 +88,14 @@ impl FoundAmounts<'_, '_> {
     fn around(&self, plan: &mut SearchPlan, bound: &Threshold) -> Result<BoundScan, Error> {
         let sufficient = bound.sufficient;
         let is_squeeze = matches!(self.tried.need.sought, Sought::Squeeze | Sought::Overlaps);
-        // If `is_monotone`, a larger squeeze always carries more, but it may move the object too far. Therefore one squeeze is tried that is much
-        // larger than the least squeeze and than the given squeeze. If it is insufficient, the whole range is scanned.
+        // If `is_monotone`, a larger squeeze always carries more, but it may move the object too far. Therefore one much larger squeeze is tried:
+        // [`FAR_FROM_START`] times the least squeeze or, if larger, times the given squeeze. If it is insufficient, the whole range is scanned.
         let ample = FAR_FROM_START * sufficient.max(plan.start);
         if plan.is_monotone && is_squeeze && self.scan > 0 && plan.contains(ample) {
             self.tries.at(ample)?;
         }
-        // A wedge that is driven in carries less the more friction it has. Friction of a surface may be larger than in the scene, up to about 1.
-        // Therefore the coefficient 1 ([`USUAL_FRICTION`]) is tried, too.
+        // A wedge that is pressed in between contacts may carry less load if friction is larger. Friction of a surface may be larger than in the
+        // scene, up to about 1. Therefore the coefficient 1 ([`USUAL_FRICTION`]) is tried, too.
         let is_friction = matches!(self.tried.need.sought, Sought::Friction { .. });
         let is_more = sufficient < USUAL_FRICTION && plan.contains(USUAL_FRICTION);
         if is_friction && is_more && !plan.is_monotone && self.scan > 0 {
@@ -190,8 +190,8 @@ impl FoundAmounts<'_, '_> {
     }
 }
 
-/// Whether the search for a safe amount stepped over many amounts. This is so if the sufficient amount is easier (more squeeze, less load) than the
-/// first amount tried by more than the factor 1.25 ([`STEPPED_OVER`]), in a search that would see sufficient amounts between both only by chance.
+/// Whether the search for a safe amount stepped over many amounts whose verdicts do not follow from the verdict on another amount. This is so if the
+/// sufficient amount is easier (more squeeze, less load) than the first amount tried by more than the factor 1.25 ([`STEPPED_OVER`]).
 fn is_stepped_over(plan: &SearchPlan, sufficient: f64) -> bool {
     let begin = plan.begin();
     let ratio = if plan.is_least { sufficient / begin } else { begin / sufficient };

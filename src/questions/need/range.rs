@@ -117,8 +117,8 @@ impl Range {
     }
 
     /// The least coefficient of friction with which contact forces balance all loads. For a smaller coefficient, a motion along which a load does
-    /// positive work is a proof. This work vanishes at the least coefficient. Secants of the work give this coefficient more accurately than a
-    /// bisection on whether a proof exists.
+    /// positive work, and no contact force negative work, proves that no contact forces balance this load. This work vanishes at the least
+    /// coefficient. Secants of the work give this coefficient more accurately than a bisection on whether a proof exists.
     fn least_friction(
         &mut self,
         loading: &dyn Fn(f64) -> Result<Loading, Error>,

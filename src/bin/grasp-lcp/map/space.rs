@@ -106,7 +106,7 @@ pub(crate) fn map(
 }
 
 /// For each direction in `ways`, the end of the load path along which a force in this direction grows from zero up to `most`, N. `None` if the paths
-/// take too long, or if the grasp has too many contact points.
+/// take longer than [`MOST_PATH_TIME`], or if the grasp has more than [`MOST_NAMED_POINTS`] contact points.
 fn load_paths(
     grasp: &Grasp,
     watch: MapProgress,

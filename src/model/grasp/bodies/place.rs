@@ -147,9 +147,9 @@ impl PlacedBodies {
         }
     }
 
-    /// Relative displacement at a contact per unit of each coordinate of its two bodies. Coordinates of the object are left out; the index of a
-    /// coordinate is counted after them. The relative displacement is that of the body on the other side of the contact, less that of the body into
-    /// which the normal points.
+    /// Relative displacement at a contact per unit of each coordinate of its two bodies. Coordinates of the object are left out; the index of any
+    /// other coordinate is counted from 0 after those of the object. The relative displacement is that of the body on the other side of the contact,
+    /// less that of the body into which the normal points.
     pub(crate) fn columns(&self, contact: usize, point: &SVector<f64, 3>) -> Columns {
         let object = self.space.of_the_object();
         let mut columns = Columns::new();
