@@ -81,7 +81,7 @@ macro_rules! names {
         pub type Continuation = crate::load_path::Continuation<$axes>;
         /// One leg of a load program, a section along which load and commands change in proportion, or the load turns; see [`crate::load_path::Leg`].
         pub type Leg = crate::load_path::Leg<$axes>;
-        /// An event on a load path: a load at which a contact or drive changes state; see [`crate::load_path::Event`].
+        /// An event on a load path: a load at which a contact, joint or tendon changes its state; see [`crate::load_path::Event`].
         pub type Event = crate::load_path::Event<$axes>;
         /// A contact whose state changes at an event; see [`crate::load_path::ContactChange`].
         pub type ContactChange = crate::load_path::ContactChange<$axes>;

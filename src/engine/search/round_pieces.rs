@@ -69,7 +69,7 @@ impl RoundPieces {
     pub(super) fn solve(mut self, problem: &Problem) -> Option<SearchSolution> {
         let driven = problem.offsets.iter().map(SVector::norm).fold(self.twist.value().norm(), f64::max);
         let mut linear_problem = LinearProblem::new(problem, &self.states);
-        // Upper limit of the number of Newton steps.
+        // Upper limit of the number of Newton steps: as a rule the method converges in a few steps, or not at all.
         let most_steps = 20;
         for step in 1..=most_steps {
             let NewtonChange { sharp, near, settled } = self.step(problem, &linear_problem);

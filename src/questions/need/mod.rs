@@ -22,7 +22,7 @@
 //! with it. The answer names two neighbouring amounts at the bound (the least or greatest sufficient amount): one is sufficient, the other is
 //! insufficient. This bracket is narrowed with secants of the carried fraction of the load (the load factor up to which the demand is met), in the
 //! plane to the last digits. If that fraction jumps at the bound, secants of another measure are used: the distance to the limit of small motions (up
-//! to which the linear theory is trusted), or the least friction margin of the contacts at rest. At rest means under the load that acts before the
+//! to which the linear theory is trusted), or the least margin by which a contact sticks at rest. At rest means under the load that acts before the
 //! others. If no equilibrium at rest exists beyond the bound, the distances of contacts from the ends of their states (open, sticking, sliding) are
 //! used. While the bracket is narrowed, two parts of a verdict are omitted: the enumeration of many contact states, which is slowest near a bound,
 //! and the reason why no equilibrium exists. The verdicts for the two amounts of the answer include both. If only the enumeration finds equilibria at

@@ -80,8 +80,8 @@ mod tests {
         (margin.fails(), normal_tail(margin.reliability()))
     }
 
-    /// The total probability of failure, if it is P(z), computed by `given`, once the error of one datum is z standard deviations. It is `∫ φ(z) P(z)
-    /// dz` with the normal density φ, by the midpoint rule.
+    /// The total probability of failure if the error of one datum is random, normally distributed. `given` returns the probability P(z) of failure
+    /// with an error of z standard deviations. The total is `∫ φ(z) P(z) dz` with the normal density φ, by the midpoint rule.
     fn averaged(given: &dyn Fn(f64) -> f64) -> f64 {
         let (steps, width) = (4000, 4e-3);
         let at = |k: i32| f64::from(2 * k + 1 - steps) * 0.5 * width;

@@ -1,5 +1,5 @@
-//! Uncertainty of friction, stiffness and clamping force in a map, and the number of standard deviations by which they may deviate before a contact
-//! slides.
+//! Uncertainty of friction, stiffness and clamping force in a map, which shows for every direction the force at first slip. Also the number of
+//! standard deviations by which these data may deviate before a contact slides.
 
 use clap::Args;
 use grasp_lcp::sweep::Uncertainty;
