@@ -49,7 +49,8 @@ struct MovingObject {
 
 /// The state in which the object rests again after it has snapped over. Its contact forces balance the load up to a small remainder.
 pub(super) struct StateAfterSnap<'g> {
-    /// The static problem with the slips after the motion. Its load is changed slightly, so that the contact forces balance it exactly.
+    /// The static problem with the slips after the motion. Its load is changed by the small imbalance that remains, so that the contact forces
+    /// balance the load exactly.
     problem: Problem<'g>,
     contacts: Vec<ContactResponse>,
     twist: Vector,

@@ -97,7 +97,8 @@ impl Range {
             let there = loading(end)?;
             let works = |of: &Loading| of.grasp.engine.work_along(&of.to_balance()[which], &motion);
             let (work, beyond) = (works(&here)?, works(&there)?);
-            // The load does positive work along the motion at both ends of the range, so no contact forces balance it at any amount between them.
+            // The load does positive work along the motion of the proof at both ends of the range, so no contact forces balance the load at any
+            // amount between these ends.
             if beyond >= 0.0 || at == end {
                 // If proofs from both sides exclude all amounts down to a single amount, this last amount may be excluded due to rounding only.
                 let root = at + (end - at) * (work / (work - beyond));
@@ -124,7 +125,7 @@ impl Range {
         loading: &dyn Fn(f64) -> Result<Loading, Error>,
         [least, most]: [f64; 2],
     ) -> Result<(), Error> {
-        // The work of a load along the motion that proves it unbalanced; `None` if no load has such a proof.
+        // The work of a load along the motion that proves this load unbalanced; `None` if no load has such a proof.
         let left = |amount: f64| {
             let here = loading(amount)?;
             let mut loads = here.to_balance();

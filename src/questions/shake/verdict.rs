@@ -28,7 +28,8 @@ pub struct Shaken<const C: usize> {
     pub every: usize,
     /// Number of load cycles up to the verdict, including those skipped by extrapolation and a last cycle in which the object is lost.
     pub cycles: usize,
-    /// Number of cycles whose load path was computed, including trials. Of many cycles with the same events, only a few are computed.
+    /// Number of cycles whose load path was computed, including trial cycles from extrapolated states. Of many cycles with the same events, only a
+    /// few are computed.
     pub followed: usize,
     /// The largest change from the beginning to the end of the last cycle or period: of forces relative to the largest contact force, of gaps
     /// relative to the stretch of the softest spring under this force. Apart from rounding and step errors it is zero, unless the verdict is
