@@ -11,7 +11,7 @@ use crate::words::Words;
 /// every relative residual look small. No unit of length or force brings a real grasp near this limit.
 pub(crate) const LARGEST: f64 = 1e50;
 
-/// The wording of the range of [`is_moderate`] in error messages.
+/// The range of numbers that [`is_moderate`] accepts, as error messages state it.
 pub(crate) const MODERATE: &str = "finite and at most 1e50 in size";
 
 /// The end of the message of [`Error::Part`]: the names of the `allowed` parts. If there are none, it says that no part of the scene has a load,
@@ -78,7 +78,7 @@ pub enum Error {
     Surface {
         /// The contact at fault.
         contact: ContactLabel,
-        /// The quantity that is out of range: of the surface, or of the contact against it.
+        /// The quantity that is out of range: a dimension of the surface, or the position or normal of the contact relative to the surface.
         field: &'static str,
         /// The value that was given.
         value: f64,
@@ -147,7 +147,7 @@ pub enum Error {
         /// The fault, and the requirement, in words.
         fault: String,
     },
-    /// A pad does not meet the part on which it closes, or starts inside the part.
+    /// A pad (a finger's surface that closes on an object) does not meet the part, the mesh of this object, or starts inside the part.
     #[cfg(feature = "mesh")]
     #[error("contact {contact}: {fault}")]
     Misses {
@@ -185,11 +185,12 @@ pub enum Error {
         /// The message of the panic.
         fault: String,
     },
-    /// Commands or joint torques change on a leg of a load program along which the load turns. They must stay constant, since only then do the angles
-    /// of events have closed forms.
+    /// Commands or joint torques change on a leg of a load program along which the load turns. They must stay constant, since only then the angles at
+    /// which contacts change their states have closed forms.
     #[error("commands or torques of a leg: change while the load turns, must stay")]
     CommandsWhileTurning,
-    /// The load of a turn must already act, as the load before, when its leg begins; otherwise the load would jump there.
+    /// A turn (a leg along which the load turns) begins with another load than the load that acts just before this leg. The load would jump at the
+    /// beginning of the leg.
     #[error(
         "leg {leg}: its turn begins with {}, and {} acts before it, must be the same: give it as `start` or `base`, or by a leg before; loads that do not turn are `beside`",
         load_text(begins),
@@ -203,8 +204,8 @@ pub enum Error {
         /// The load before the leg.
         before: Vec<f64>,
     },
-    /// The question has no change of load. Either a first slip is sought and neither the load nor a command changes along the ramp, or the load that
-    /// is to grow in proportion is zero.
+    /// The question has no change of load. Either a first slip is sought and neither the load nor a command changes along the ramp, or loads on other
+    /// bodies are to grow in proportion to a load that is zero.
     #[error("onset: direction, command_change and joint_change are zero, one of them must change something")]
     NothingChanges,
     /// The legs (sections) of a load cycle do not return to the load or the commands with which the cycle begins.
@@ -245,7 +246,7 @@ pub enum Error {
         /// The fault and the allowed values, in words.
         fault: &'static str,
     },
-    /// One of several bodies is not well posed, or a body of this name does not exist.
+    /// The data of one of several bodies are not valid, or a body of this name does not exist.
     #[error("body {name:?} {fault}")]
     Body {
         /// The name of the body.
@@ -253,7 +254,7 @@ pub enum Error {
         /// The fault and the allowed values, in words.
         fault: String,
     },
-    /// The part whose force is sought has no load, command or force to scale, or does not exist.
+    /// The part (a body, contact, cable or joint) whose force a question seeks has no load, command or force to scale, or does not exist.
     #[error("part {name:?} has no load, command or force of its own, {}", one_of(allowed))]
     Part {
         /// The name of the part that was given.
@@ -329,7 +330,8 @@ pub enum Error {
         /// The contact with lower kinetic friction.
         contact: ContactLabel,
     },
-    /// The method supports several bodies but no joints. A contact with a given pressing force counts as a joint, since its finger moves on a slide.
+    /// The method supports several bodies but no joints. A contact with a constant normal force counts as a joint, since its finger follows the
+    /// object on a slide, a prismatic joint along the normal.
     #[error(
         "{question} knows no joints: ask it of bodies that no hand with joints holds, and no contact presses with a given force"
     )]

@@ -15,7 +15,7 @@ macro_rules! names {
         pub type SoftFingertip = crate::grasp::SoftFingertip<$axes>;
         /// A grasp; see [`crate::ask::Grasp`].
         pub type Grasp = crate::ask::Grasp<$axes>;
-        /// Many grasps with any number of contact points, prepared for screening by their first slips; see [`crate::screening::PointBatch`].
+        /// Many grasps with any number of contact points, for which screening computes the loads at first slip; see [`crate::screening::PointBatch`].
         pub type PointBatch = crate::screening::PointBatch<$axes>;
         /// Force and moment; in the plane the moment is one number, positive from x to y; see [`crate::grasp::Wrench`].
         pub type Wrench = crate::grasp::Wrench<$axes>;
@@ -81,7 +81,7 @@ macro_rules! names {
         pub type Continuation = crate::load_path::Continuation<$axes>;
         /// One leg of a load program, a section along which load and commands change in proportion, or the load turns; see [`crate::load_path::Leg`].
         pub type Leg = crate::load_path::Leg<$axes>;
-        /// An event on a load path: a load at which a contact or drive changes state; see [`crate::load_path::Event`].
+        /// An event on a load path: a load at which a contact, joint or tendon changes its state; see [`crate::load_path::Event`].
         pub type Event = crate::load_path::Event<$axes>;
         /// A contact whose state changes at an event; see [`crate::load_path::ContactChange`].
         pub type ContactChange = crate::load_path::ContactChange<$axes>;
@@ -93,13 +93,13 @@ macro_rules! names {
         pub type PathEnd = crate::load_path::PathEnd<$axes>;
         /// A load program followed from event to event; see [`crate::load_path::LoadPath`].
         pub type LoadPath<'g> = crate::load_path::LoadPath<'g, $axes>;
-        /// A few contacts prepared for screening grasps by their first slips; see [`crate::screening::Fingers`].
+        /// The contacts of one grasp, for which screening computes the load at first slip; see [`crate::screening::Fingers`].
         pub type Fingers<const N: usize> = crate::screening::Fingers<$axes, N>;
-        /// Many grasps of `N` contacts each, prepared for screening by their first slips; see [`crate::screening::Batch`].
+        /// Many grasps of `N` contacts each, for which screening computes the loads at first slip; see [`crate::screening::Batch`].
         pub type Batch<const N: usize> = crate::screening::Batch<$axes, N>;
-        /// A load for screening grasps by their first slips; see [`crate::screening::Pull`].
+        /// A growing load for which screening computes the load factor at first slip; see [`crate::screening::Pull`].
         pub type Pull = crate::screening::Pull<$axes>;
-        /// Loads for screening that a grasp must hold; see [`crate::screening::LoadCases`].
+        /// Loads for which screening computes the least squeeze with which a grasp holds each of them; see [`crate::screening::LoadCases`].
         pub type LoadCases = crate::screening::LoadCases<$axes>;
         /// A load program followed in load steps; see [`crate::load_path::SteppedPath`].
         pub type SteppedPath<'g> = crate::load_path::SteppedPath<'g, $axes>;

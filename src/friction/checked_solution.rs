@@ -80,7 +80,7 @@ impl<const C: usize> FrictionProblem<C> {
     }
 
     /// Whether some contact's friction exceeds its limit, μ times its normal force, by more than rounding. The residual of the cone is relative to
-    /// the whole force. With a large μ it may be small although the excess is large relative to the normal force.
+    /// the whole force. With a large μ this residual may be small although the excess is large relative to the normal force.
     fn leaves_cones(&self, r: &DVector<f64>) -> bool {
         (0..self.len()).any(|i| {
             let force: SVector<f64, C> = part(r, i);

@@ -61,7 +61,8 @@
 //! Appl. Mech. Eng. 177, 1999) find the magnitude of the forces. From these forces the solver follows the central path û ∘ r = τ as τ decreases to
 //! zero (∘ is the Jordan product of the cone). The path lies inside the cones. On this path no contact has to choose its state early (M. Fukushima,
 //! Z.-Q. Luo and P. Tseng, SIAM J. Optim. 12, 2001). For a few contacts the solver also follows the path around the folds that friction causes.
-//! Newton's method makes the last steps. A proximal term holds them near an anchor, because the forces of redundant contacts are not determined.
+//! Newton's method makes the last steps. Until its last few steps a proximal term holds the forces near given forces, the anchor, because the forces
+//! of redundant contacts are not determined.
 //!
 //! W is stored in blocks, so zero blocks cost nothing. [`FrictionProblem::solve_watched`] reports progress and can be stopped.
 //!
@@ -72,9 +73,9 @@
 
 // Files. Input: `problem` validates it. Law: `law` computes residuals of Coulomb's law, `checked_solution` accepts forces as a solution. `solve`
 // chooses the methods, `islands` splits the problem. A few contacts: `facets` poses the complementarity problem, `polygons` and `newton` continue on
-// the round cone. Many contacts: `approach` combines `sweeps` over `one_contact`, the `central_path` (around its `folds`) and `alart_curnier`. The
-// last two are `equations` in `blocks`, solved by `elimination`. `certificate` proves that no solution exists. `tolerances` holds the limits for
-// rounding.
+// the round cone. Many contacts: `approach` combines `sweeps` over `one_contact`, the `central_path` (around its `folds`) and `alart_curnier`.
+// `central_path` and `alart_curnier` have the form of `equations` in `blocks`, solved by `elimination`. `certificate` proves that no solution exists.
+// `tolerances` holds the limits for rounding.
 
 mod alart_curnier;
 mod approach;

@@ -15,6 +15,6 @@ pub struct SolveProgress<'a> {
     pub residual: f64,
     /// Index, in the caller's problem, of the contact with the largest residual.
     pub worst: usize,
-    /// Number of Newton steps made for these contacts, without the steps of the method that starts from polygons.
+    /// Number of Newton steps made for these contacts, without the steps of the method that starts from a solution with polygonal friction cones.
     pub steps: usize,
 }

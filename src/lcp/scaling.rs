@@ -9,7 +9,7 @@
 //! column. Otherwise uncoupled blocks of M would each keep an undetermined factor.
 //!
 //! The data are multiplied only by powers of two, which causes no rounding and preserves ties. Each ρ_i is therefore rounded to an integer. The
-//! factor that row i lacks as a result enters the covering vector, where it does no harm.
+//! factor that row i lacks as a result becomes entry i of the covering vector d, which need not consist of powers of two.
 //!
 //! Ties are also the reason for solving the least-squares problem to rounding. Equal rows must get equal entries of the covering vector d. Nearly
 //! equal entries would turn ties into ill-conditioned near-ties.
@@ -33,7 +33,8 @@ pub(super) struct Scaling {
     gamma: Vec<f64>,
     rows: Logarithms,
     columns: Logarithms,
-    /// Row indices of the nonzero entries of [M, q], column after column, if they are few enough to be listed. The memory of this list is reused.
+    /// Row indices of the nonzero entries of [M, q], column after column, if there are fewer than n²/4 of them; with more, testing every entry is
+    /// faster than a list. The memory of this list is reused.
     pattern: Vec<u32>,
     residual: Vec<f64>,
     direction: Vec<f64>,

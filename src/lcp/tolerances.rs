@@ -9,7 +9,8 @@
 /// Farkas vectors may also count as zero below this fraction of the largest entry of their vector.
 ///
 /// Sums of n terms have relative errors of about nε, and a few pivots multiply them by a small number. With a smaller limit, noise remains in the
-/// basis and `degenerate` is not set. Above 1e-10, true values are set to zero, which the residuals do not show.
+/// basis, and a degenerate solution (with a zero basic variable) is not marked as degenerate. Above 1e-10, true values are set to zero, which the
+/// residuals do not show.
 pub(super) const ZERO_VALUE: f64 = 1e-13;
 
 /// Residuals of a point z above this limit are worth a new factorisation of its basis, which costs up to 2n³/3 flops.
@@ -18,13 +19,14 @@ pub(super) const ZERO_VALUE: f64 = 1e-13;
 /// limit, points keep fewer correct digits than possible.
 pub(super) const SOUND_RESIDUAL: f64 = 1e-13;
 
-/// Entries of a slack's stored column below this fraction of the largest entry count as rounding errors of zero.
+/// For each nonbasic slack w_i the dictionary stores a column. Entries of this column below this fraction of its largest entry count as rounding
+/// errors of zero.
 ///
 /// Such a column is updated from pivot to pivot rather than summed, so its terms are unknown. The updates of a few dozen pivots leave rounding errors
 /// of this size. With a smaller limit, noise becomes a pivot. With a larger limit, true small pivots are overlooked.
 pub(super) const STORED_ROUNDING: f64 = 64.0 * f64::EPSILON;
 
-/// A pivot below this fraction of its column is accepted only if the dictionary was recently recomputed from M and q, or its entering column
+/// A pivot below this fraction of its column is accepted only if the dictionary was recently recomputed from M and q, or if the entering column was
 /// refined.
 ///
 /// Such a pivot multiplies the errors of all entries by its inverse: half of the sixteen digits would be lost. With a larger limit, dictionaries are
@@ -40,22 +42,23 @@ pub(super) const DRIFTED: f64 = 1e-10;
 /// This fraction of the largest |q_i| is added to the terms of every row when the drift of the dictionary, its violation of w = q + M z + d z₀, is
 /// measured.
 ///
-/// Otherwise a row whose terms are all noise would have nothing to be compared with. With a smaller fraction, such rows cause refactorisations that
-/// do not help. With a larger fraction, drift in rows of small terms is not noticed.
+/// Without this addition, the violation of a row whose terms are all rounding errors would be as large as the terms, and would count as drift. With a
+/// smaller fraction, such rows cause refactorisations that do not help. With a larger fraction, drift in rows of small terms is not noticed.
 pub(super) const DRIFT_FLOOR: f64 = 1e-3;
 
-/// A basic z_j that is zero up to rounding is removed from the basis only if the pivot is at least this fraction of its column.
+/// A basic z_j that is zero up to rounding is removed from the basis only if the pivot is at least this fraction of the largest entry of the pivot
+/// column.
 ///
-/// Removal keeps the noise of z_j out of the other values, but a small pivot would amplify their rounding errors. With 1 hardly any such z_j
-/// would be removed.
+/// Removal keeps the noise of z_j out of the other values, but a small pivot would amplify the rounding errors of those values. With a larger
+/// fraction, more such z_j stay in the basis with their noise.
 pub(super) const RETIRING_PIVOT: f64 = 1e-5;
 
 /// A pivot below this fraction of the entry or column from which it was computed counts as a rounding error of zero. In a recomputed dictionary the
 /// basis is then singular; in the P-matrix test a principal minor is not positive.
 ///
-/// Only rows are exchanged, and up to twelve Schur complements follow each other, so the limit allows for about fifty roundings. With a smaller
-/// limit, singular bases are accepted and give values of 1e15, and singular matrices count as P-matrices. With a larger limit, bases of condition
-/// 1e14 are refused although refinement would give a solution, and so are P-matrices close to singular.
+/// Pivots are chosen by exchanges of rows alone, and up to twelve Schur complements follow each other, so the limit allows for about fifty roundings.
+/// With a smaller limit, singular bases are accepted and give values of 1e15, and singular matrices count as P-matrices. With a larger limit, bases
+/// of condition 1e14 are refused although refinement would give a solution, and so are P-matrices close to singular.
 pub(super) const ELIMINATED_PIVOT: f64 = 1e-14;
 
 /// A point whose residuals are larger than rounding errors is accepted only if it solves the problem exactly for some q′ close to q. In balanced rows
@@ -106,7 +109,8 @@ pub(super) fn elimination_rounding(n: usize) -> f64 {
 /// With a larger limit, a call takes minutes. With a smaller limit, some problems remain undecided.
 pub(super) const MOST_ENUMERATED: usize = 20;
 
-/// The largest number of rows for which all vertices of a problem are tried (see `vertices`). For this number they are at most a few thousand.
+/// The largest number of rows for which all vertices of a problem are tried: points where as many inequalities are equations as there are unknowns
+/// (see `vertices`). Six rows give at most a few thousand vertices.
 ///
 /// With a larger limit, the vertices cost more than the linear programs that they replace.
 pub(super) const MOST_ROWS_WITH_VERTICES: usize = 6;

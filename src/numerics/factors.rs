@@ -9,8 +9,8 @@ use super::partial_pivoting::PartialPivoting;
 #[derive(Debug, Clone)]
 pub(crate) enum Factors {
     Regular(PartialPivoting),
-    /// The matrix is singular or nearly so. Complete pivoting tells exact null vectors from directions in which the matrix is merely small (in a
-    /// stiffness matrix: free motions from soft directions).
+    /// The matrix is singular or nearly so. Complete pivoting tells exact null vectors from directions in which the matrix is merely small. In a
+    /// stiffness matrix, null vectors are motions that stretch no spring; the other directions are motions that stretch only soft springs.
     Singular(CompletePivoting),
 }
 

@@ -18,9 +18,9 @@ pub(crate) struct SceneLoads {
 }
 
 impl SceneLoads {
-    /// The loads of the scene's first question `need`. Without such a question: the loads of all questions `hold` with the same constant load as the
-    /// first question `hold`, and without loads on other bodies. Without questions `hold`, too: the load of the first question `solve`. Questions whose
-    /// loads are zero come after all others. A warning says which loads are taken. `None` without any of these questions.
+    /// The loads of the scene's first question `need`. If the scene has no such question, the loads of its questions `hold`: of all that have the
+    /// constant load of the first one and no loads on other bodies. If it has no question `hold` either, the load of its first question `solve`.
+    /// Questions whose loads are zero come after all others. A warning says which loads are taken. `None` without any of these questions.
     pub(crate) fn of(setup: &Setup<3>) -> Option<Self> {
         let kinds: [fn(&Question<3>) -> bool; 3] = [
             |question| matches!(question, Question::Need(_)),
@@ -82,7 +82,7 @@ pub(crate) fn first_base<const C: usize>(setup: &Setup<C>) -> Option<(usize, Wre
 }
 
 /// The scene's own question `need` for the sought quantity. `None` if the scene has no such question, or if the command line gives a load or another
-/// option that replaces it.
+/// option in place of the question's data.
 pub(crate) fn own_need(
     setup: &Setup<3>,
     need_arguments: &NeedArguments,

@@ -11,7 +11,8 @@ use super::watched_condition::{ConditionValue, watch};
 use crate::numerics::{chosen, lowest};
 use crate::prelude::*;
 
-/// A step along an arc: its arclength, the state at its end, and the watched conditions of contact states, evaluated at the end.
+/// A step along an arc: its arclength, the state at its end, and the values of watched conditions there. A watched condition belongs to the present
+/// state of a contact. It is violated if its value is negative, and just met if its value is zero.
 pub(super) struct StepEnd {
     pub(super) length: f64,
     pub(super) rule: Rule,
@@ -37,8 +38,8 @@ impl PiecewiseFollower<'_> {
         Some(StepEnd { length, rule, reached, watches, located: None })
     }
 
-    /// The straight step `end` from `point`. It is shortened if a contact has zero force (the apex of its cone) at its start, and its end clearly
-    /// violates a condition. `None` if the end of the shortened step is not found.
+    /// Returns `end`, a straight step from `point` along the tangent of the path. The step is shortened if a contact has zero force (the apex of its
+    /// cone) at `point`, and a condition is clearly violated at the end of the step. `None` if the end of the shortened step is not found.
     pub(super) fn up_to_a_break(&self, point: &PathPoint, end: StepEnd) -> Option<StepEnd> {
         if !self.node.starts_at_apex || !end.watches.iter().any(ConditionValue::is_broken) {
             return Some(end);
@@ -78,7 +79,8 @@ impl PiecewiseFollower<'_> {
         for trial in 0..80 {
             // If Newton's method gives no length inside the bracket, the length comes from a secant, or every third time from bisection.
             let part = low.1 / (low.1 - high.1);
-            // A secant step keeps at least this fraction of the bracket away from both of its ends.
+            // A secant step keeps at least this fraction of the bracket away from both of its ends, so that the bracket does not shrink by tiny steps
+            // from one end only.
             let inside = 1e-3;
             let part = if trial % 3 == 2 { 0.5 } else { part.clamp(inside, 1.0 - inside) };
             let newton =

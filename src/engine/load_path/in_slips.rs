@@ -61,7 +61,7 @@ pub(crate) enum SlipEnd {
 
 impl Engine {
     /// Follows a load that grows along `ramp` up to the load factor `most`. The slips begin at the onset, which must be at a load factor below
-    /// `most`. `None` in the cases of the head of this file, in which the caller follows a `LoadPath` instead.
+    /// `most`. `None` in the cases listed at the top of this file, in which the caller follows a `LoadPath` instead.
     pub(crate) fn in_slips(&self, ramp: &Ramp<3>, most: f64, settings: &Settings) -> Option<InSlips> {
         let plain = |site: &Site| {
             let closed = site.hold == Hold::Unilateral && site.springs.resists_tangentially();
@@ -240,15 +240,15 @@ impl Slips<'_> {
         if along.abs() <= NEGLIGIBLE * summed(slips, &|slip| slip.abs()) {
             return None;
         }
-        // With the computed rates forces balance the load, but contacts slip opposite to their friction forces, which the contact law forbids.
-        // The object leaves with the reversed motion, in which the slips have the directions of the friction forces.
+        // With the computed rates forces balance the load, but contacts slip opposite to their friction forces, which the contact law forbids. At the
+        // loss the object moves along the reversed motion, in which the slips have the directions of the friction forces.
         let twist = self.twist(rates);
         let motion = &twist * (1.0_f64.copysign(along) / twist.norm());
         self.loss_of_kind(LossKind::Corner, at, &motion, ramp)
     }
 
-    /// The end of the path at the state `at` as a loss of the kind `kind`, a fold or a corner. The object leaves with the motion `motion`.
-    /// `None` if the object would snap over to another equilibrium, or for a malformed ramp.
+    /// The end of the path at the state `at` as a loss of the kind `kind`, a fold or a corner. At this loss the object begins to move along `motion`.
+    /// `None` if the object would come to rest in another equilibrium under a slightly larger load, or for a malformed ramp.
     fn loss_of_kind(&self, kind: LossKind, at: &[f64], motion: &Vector, ramp: &Ramp<3>) -> Option<SlipEnd> {
         if self.snaps_over(at, ramp) != Some(false) {
             return None;

@@ -83,8 +83,8 @@ impl<const C: usize> Leg<C> {
     }
 
     /// A leg along which the load is that of a [`Turn`]. The load before the leg must be the turn's first load, else the leg is refused. A turn that
-    /// begins with no load is added to any load. The finger commands stay constant, so that forces are harmonics of the angle, and the angles of
-    /// events are found without stepping.
+    /// begins with no load is added to any load. The finger commands stay constant, so that forces are sums of a constant, a cosine and a sine of the
+    /// angle. The angles at which contacts change their states are then found without stepping.
     ///
     /// ```
     /// use grasp_lcp::planar::{Change, Contact, Grasp, Leg, Turn, Wrench};

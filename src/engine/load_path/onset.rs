@@ -34,8 +34,8 @@ pub enum Onset<const C: usize> {
     GivesWay {
         /// The load factor up to which the grasp holds.
         factor: f64,
-        /// The reason why no equilibrium exists beyond. A work stated in the reason is done by the rate of the load, J per unit of the load factor
-        /// (J/rad for a turn).
+        /// The reason why no equilibrium exists beyond this load factor. A work stated in the reason is done by the rate of the load, J per unit of
+        /// the load factor (J/rad for a turn).
         reason: NoEquilibrium<C>,
     },
     /// The search for the equilibrium at load factor 0 was undecided, or the path to the onset depends on rounding.
@@ -137,7 +137,8 @@ impl OnsetEvent<3> {
 }
 
 impl DepartingContact<3> {
-    /// The contact or drive with the index `site`, which stops sticking as given in `how`; the rest of its label is filled in later.
+    /// The contact or drive with the index `site`, which stops sticking as given in `how`; its label has only this index, and its name is filled in
+    /// later.
     pub(super) fn new(site: usize, how: Departure<3>) -> Self {
         Self { contact: ContactLabel { index: site, point: None, name: None, link: None }, how }
     }

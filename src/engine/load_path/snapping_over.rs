@@ -1,7 +1,7 @@
-//! Snapping over: the equilibrium of a load path ends, and the object moves on under nearly the same load until it rests in another equilibrium.
-//! The path ends at a fold, a corner or an asymptote, see [`LossKind`]. A fold is a maximum of the load; at a corner no contact states continue the
-//! path; it approaches the load of an asymptote but never reaches it. A leg is a section of the load program; the load factor is the fraction of it
-//! that is done.
+//! Snapping over: the equilibrium of a load path ends, and the object moves on under nearly the same load until it rests in another equilibrium. The
+//! path ends at a fold, a corner or an asymptote, see [`LossKind`]. A fold is a maximum of the load; at a corner no contact states continue the path;
+//! it approaches the load of an asymptote but never reaches it. A leg is a section of the load program; the load factor is the fraction of the leg
+//! that is done. A jump is a motion of the object under constant load; a piece is a section of the path without an event.
 //!
 //! Other equilibria may exist beyond the end of a path. Which of them the object reaches depends on its motion after the end. This motion is
 //! computed in an artificial model with a viscous damper at each contact, in proportion to the stiffness K_i of its springs. The load W is
@@ -49,23 +49,24 @@ struct MovingObject {
 
 /// The state in which the object rests again after it has snapped over. Its contact forces balance the load up to a small remainder.
 pub(super) struct StateAfterSnap<'g> {
-    /// The static problem with the slips after the motion. Its load is changed slightly, so that the contact forces balance it exactly.
+    /// The static problem with the slips after the motion. Its load is changed by the small imbalance that remains, so that the contact forces
+    /// balance the load exactly.
     problem: Problem<'g>,
     contacts: Vec<ContactResponse>,
     twist: Vector,
 }
 
 impl<'g> StateAfterSnap<'g> {
-    /// Moves the object from the twist `start`, at which forces do not balance, to a twist at which they nearly balance. The motion is that of
-    /// the model with dampers, see the head of this file. `None` if the motion exceeds the limits `small` or does not end, or if there are very
-    /// many coordinates.
+    /// Moves the object from the twist `start`, at which forces do not balance, to a twist at which they nearly balance. The motion is that of the
+    /// model with dampers, see the head of this file. `None` if the motion exceeds the limits `small` or does not end, or for a grasp of so many
+    /// coordinates that it is solved with band matrices.
     pub(super) fn near(
         grasp: &Engine,
         small: &SmallMotions,
         mut problem: Problem<'g>,
         start: &Vector,
     ) -> Option<Self> {
-        // With very many coordinates each step in time would take longer than following the whole path.
+        // With so many coordinates that matrices are stored as bands, each step in time would take longer than following the whole path.
         if uses_band(problem.size()) {
             return None;
         }
@@ -75,8 +76,8 @@ impl<'g> StateAfterSnap<'g> {
         };
         let damping = tangent_stiffness(problem.sites, &|i| damper(&problem, i));
         let none = vec![ContactResponse::open(); problem.len()];
-        // At the start, rounding alone would determine whether a contact that slides with kinetic friction sticks and regains static friction.
-        // Therefore the present friction cones are restored.
+        // The call of `MovingObject::at` below decides whether a contact that slides with kinetic friction sticks and regains static friction. At the
+        // start rounding alone would determine this, so the friction cones from before the call are restored after it.
         let cones = problem.cones.clone();
         // Likewise rounding alone would determine whether a contact on the edge of its cone sticks. In the matrix of the first step in time all
         // contacts are therefore taken as open, so that this matrix has the dampers alone.
@@ -124,8 +125,8 @@ impl<'g> StateAfterSnap<'g> {
 }
 
 /// The step of the load factor with which the load is increased beyond a loss of equilibrium, so that the object moves to another equilibrium. The
-/// step puts forces out of balance by the fraction `LITTLE_BEYOND` of the largest force `largest`, N. `change` are the rates of the contacts' spring
-/// offsets, and `rate` is the rate of the load.
+/// step puts forces out of balance by the fraction `LITTLE_BEYOND`, 1e-6, of the largest force `largest`, N. `change` are the rates of the contacts'
+/// spring offsets and `rate` is the rate of the load, both per unit of the load factor.
 ///
 /// `largest` is replaced by [`LEAST_FORCE`] times the imbalance that one unit of the load factor adds, if that is more. Otherwise the step would be
 /// zero for a grasp without any force.
@@ -177,7 +178,7 @@ impl MovingObject {
 impl<'g> PiecewiseFollower<'g> {
     /// The event that replaces the loss `loss`: the object snaps over to another equilibrium at a slightly larger load factor, from which the path
     /// continues. `None` if the object does not come to rest within small motions. Also `None`, without a try, for other kinds of loss, for grasps
-    /// with suction cups, at the end of a leg, after a jump that failed, and after [`MOST_SNAPS`] snaps.
+    /// with suction cups, at the end of a leg, after a jump that failed, and if the object has snapped over [`MOST_SNAPS`] times on this leg.
     pub(super) fn snaps_over(&mut self, run: &ProgramRun<'g>, loss: &Loss<3>) -> Option<Event<3>> {
         let ends_in_balance = !matches!(loss.kind, LossKind::LetsGo | LossKind::TooFar | LossKind::GivesWay);
         // The model with dampers keeps the pull of a vacuum even if its cup opens during the motion, so grasps with cups are excluded.
@@ -197,8 +198,8 @@ impl<'g> PiecewiseFollower<'g> {
         let springs = softest_spring_force(&self.segment.problem_at(self.factor), &self.node.at.twist);
         let most = largest(&self.node.at.forces, &SVector::norm).max(load.norm()).max(springs);
         let least = a_little(grasp.sites(), change, rate, most);
-        // If an object snaps over again within the last step of the load factor, this step is doubled. An object that sticks and snaps over again and
-        // again would otherwise need too many snaps.
+        // If an object snaps over again before the load factor has grown by the step of the last snap, this step is doubled. An object that sticks
+        // and snaps over again and again would otherwise need too many snaps.
         let is_again = self.factor - self.snapped.at <= self.snapped.step;
         let mut step = if is_again { (LONGER * self.snapped.step).max(least) } else { least };
         loop {
@@ -229,7 +230,8 @@ impl<'g> PiecewiseFollower<'g> {
         jump.changes.clear();
         jump.run(&goal, run).ok()?;
         let event = self.caught(run, changes, state);
-        // If the object snaps over at the very start of a leg, no piece is stored yet from which the state there can be computed.
+        // The state at a load factor is computed later from the stored piece of the path that contains it. If the object snaps over at the very start
+        // of a leg, no such piece is stored yet, so a piece is made from the present state.
         let is_first = self.piece_behind(run.program.leg, self.factor).is_none();
         let start = is_first.then(|| self.present_piece(run)).flatten();
         let end = core::mem::replace(&mut self.factor, beyond);

@@ -1,5 +1,6 @@
-//! The component of the twist along motions that no spring resists. No force determines this component, so it stays as near as possible to its
-//! previous value. It changes only if contacts that touch without force push the object.
+//! The component of the twist along motions that nothing resists: free motions stretch no spring; along neutral motions contact forces change but
+//! stay in balance. No force determines this component of the twist, so it stays as near as possible to its previous value. It changes only if
+//! contacts that touch without force push the object.
 
 use super::segment::Segment;
 use crate::numerics::Vector;
@@ -7,9 +8,9 @@ use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::object::{ForcesAndTwist, LinearProblem};
 
 impl Segment<'_> {
-    /// The rates `rate` of forces and twist, made to agree with the twist rate `pushed` along all motions that leave forces in balance. Other
-    /// components of `rate` stay. `pushed` comes from the rate problem (for rates of forces and motion), in which contacts that touch without force
-    /// may push the object. If it is `None`, `rate` is returned unchanged.
+    /// The rates `rate` of forces and twist, shifted along free and neutral motions until the twist rate agrees with `pushed` along these motions.
+    /// Other components of `rate` stay. `pushed` comes from the rate problem (for rates of forces and motion), in which contacts that touch without
+    /// force may push the object. If `pushed` is `None`, `rate` is returned unchanged.
     pub(super) fn pushed_along(
         &self,
         linear_problem: &LinearProblem,
@@ -26,8 +27,7 @@ impl Segment<'_> {
         if moves { self.nearest(linear_problem, rate, pushed) } else { rate }
     }
 
-    /// A state or a rate, shifted along free and neutral motions of `linear_problem` until its twist is nearest to `near`. Free motions stretch no
-    /// spring; along neutral motions contact forces change but stay in balance.
+    /// A state or a rate, shifted along free and neutral motions of `linear_problem` until its twist is nearest to the twist or twist rate `near`.
     pub(super) fn nearest(
         &self,
         linear_problem: &LinearProblem,

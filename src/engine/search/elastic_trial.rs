@@ -80,8 +80,8 @@ pub(super) struct SearchLog {
     pub(super) is_infeasible: bool,
 }
 
-/// The problem with each contact's polygon rotated so that one corner lies along the friction force of the elastic trial. While friction keeps
-/// this direction, an inscribed polygon limits it exactly like the round cone.
+/// The problem with each contact's polygon rotated so that one corner lies along the friction force of the elastic trial. While friction keeps this
+/// direction, an inscribed polygon limits the friction force exactly like the round cone.
 pub(super) fn on_polygons<'g>(
     problem: &Problem<'g>,
     cone: PolygonCone,

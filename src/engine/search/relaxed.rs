@@ -148,10 +148,12 @@ impl BalanceEquation {
         // loop cannot cycle.
         let mut tried: Vec<GeneratorIndex> = Vec::new();
         let mut least = f64::INFINITY;
-        // At most forty generators are added for each row of the equation that expresses balance and compatibility.
+        // Limit of the number of generators that are added: forty for each row of the balance equation. If it is reached, the case counts as not
+        // contradicted.
         for _ in 0..40 * self.target.len() {
             let distance = nearest.distance();
-            // The distance of the nearest point from the target f⁰ (scaled to length one) is taken as zero below this limit.
+            // If the nearest point is less than this distance from the target f⁰ (scaled to length one), the distance may be rounding, and the case
+            // is not contradicted.
             if distance < 1e-11 || !distance.is_finite() {
                 break;
             }
@@ -187,8 +189,8 @@ impl BalanceEquation {
                 nearest.move_to_closest(&self.target);
             }
         }
-        // The case is not clearly contradicted. The caller then divides it into smaller cases. This is safe, since a case is only given up once it is
-        // contradicted.
+        // The case is not clearly contradicted. The caller then divides it into smaller cases. This is safe, since only contradicted cases are
+        // excluded from the search.
         self.sum(hulls, nearest)
     }
 

@@ -48,11 +48,12 @@ impl RoundPieces {
     pub(super) fn on_polygons(problem: &Problem, states: &[State], near: &ForcesAndTwist) -> Self {
         let state = |(local, (state, force)): (LocalLaw<'_>, (&State, &SVector<f64, 3>))| {
             if state.slides() && !local.is_on_an_edge() {
-                // Without a friction force the direction of the slide is unknown.
+                // Without a friction force the direction of sliding is unknown, so the contact is taken as sticking.
                 let rubs = local.may_slide() && tangential(force).amax() > 0.0;
                 return if rubs { Mode::Round(Slide::new(force, 0.0)) } else { Mode::Sticking };
             }
-            // At the apex of a polygonal cone (zero force) a contact may be in the state `Open` although its law keeps it closed.
+            // At the apex of a polygonal cone (zero force) a contact may be in the state `Open` although its law keeps it closed. Such a contact is
+            // taken as sticking.
             if state.is_open() && local.excludes(state) { Mode::Sticking } else { *state }
         };
         let states = problem.locals().zip(states.iter().zip(&near.forces)).map(state).list();
@@ -68,13 +69,13 @@ impl RoundPieces {
     pub(super) fn solve(mut self, problem: &Problem) -> Option<SearchSolution> {
         let driven = problem.offsets.iter().map(SVector::norm).fold(self.twist.value().norm(), f64::max);
         let mut linear_problem = LinearProblem::new(problem, &self.states);
-        // Upper limit of the number of Newton steps.
+        // Upper limit of the number of Newton steps: as a rule the method converges in a few steps, or not at all.
         let most_steps = 20;
         for step in 1..=most_steps {
             let NewtonChange { sharp, near, settled } = self.step(problem, &linear_problem);
             // A twist longer than this multiple of the initial twist and offsets (commands minus clearances) is refused, since hardly a digit of the
-            // contacts' stretches is then correct. Near a jamming angle the twist may become that long, and another method may still find an
-            // equilibrium close by.
+            // contacts' stretches is then correct. Near a contact angle at which an object jams (wedges itself between contacts), Newton steps may
+            // lead to such a twist although an equilibrium exists; other methods of the search may find it.
             if self.twist.value().norm() > 1e12 * driven {
                 return None;
             }

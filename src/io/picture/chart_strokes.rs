@@ -110,12 +110,12 @@ pub(super) fn draw_marks(paper: &mut Sheet, canvas: &Canvas, marks: &[(f64, Stri
     for (x, label) in marks {
         let (x, _) = canvas.place((*x, 0.0));
         paper.dashes(&[(x, canvas.top + canvas.high), (x, canvas.top)], BLACK, 1.0);
-        // The label is written on the side with more room.
+        // The label is written to the right of its line; to the left if the line is in the right two fifths of the chart.
         let part = (x - canvas.left) / canvas.wide;
         let side = if part > 0.6 { -1.0 } else { 1.0 };
         let long = plaque_size(label, CHART.label).0 / canvas.wide;
         let from = if side > 0.0 { part } else { part - long };
-        // A label that would leave the chart is moved back.
+        // A label that would extend beyond an edge of the chart is moved inside.
         let moved = from.min(1.0 - long).max(0.0) - from;
         let from = from + moved;
         let meets = |row: f64| taken.iter().any(|[at, to, r]| *r == row && from < *to && from + long > *at);
@@ -127,7 +127,8 @@ pub(super) fn draw_marks(paper: &mut Sheet, canvas: &Canvas, marks: &[(f64, Stri
     }
 }
 
-/// Writes a sentence that ends at the foot of a chart, broken into lines, and returns the height of these lines.
+/// Writes a sentence, broken into lines, just above the lower edge of a chart, whose lower left corner is (`left`, `foot`), and returns the height of
+/// these lines.
 pub(super) fn draw_note(paper: &mut Sheet, (left, foot): PaperPoint, words: &str) -> f64 {
     let note = lines(words, 105);
     let high = CHART.note_line * note.len() as f64;

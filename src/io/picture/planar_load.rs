@@ -12,7 +12,7 @@ use crate::numerics::Each;
 use crate::numerics::tolerances::SOLVED_ROUNDING;
 use nalgebra::Vector2;
 
-/// A load prepared for drawing: force in N, moment in N m, point of action in m.
+/// A planar load in the form in which it is drawn: force in N, moment in N m, point of action in m.
 pub(super) struct PlanarLoad {
     pub(super) at: Vector2<f64>,
     pub(super) force: Vector2<f64>,
@@ -31,7 +31,7 @@ impl PlanarLoad {
         }
         // The vector from the middle to the nearest point of the line of action.
         let away = Vector2::new(force.y, -force.x) * (moment / force.norm_squared());
-        // Only a line of action within half the object's size passes through the object or near it.
+        // A line of action within half the object's size from its centre is taken to pass through the object or close by.
         if away.norm() <= 0.5 * size {
             Self { at: middle + away, force, moment: 0.0 }
         } else {

@@ -1,4 +1,4 @@
-//! Polar charts: curves of a number that depends on a direction in the plane.
+//! Polar charts: curves of a number that depends on a direction in the plane. The rim is the outer circle of a chart.
 
 use crate::numerics::{IntoList, counted, largest, mapped};
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -121,7 +121,7 @@ impl Polar {
                 _ => "",
             };
             let words = if strong { axis.to_owned() } else { format!("{}°", 30 * k) };
-            // The label of the angle is moved aside if a named direction is near it.
+            // The label of the angle is moved aside if a named direction is closer to the angle than `POLAR.beside`.
             let named = |(ray, _): &(f64, String)| turn(angle, *ray).abs() < POLAR.beside;
             let aside = if self.rays.iter().any(named) { 0.17 } else { 0.0 };
             outside(paper, angle + aside, POLAR.radius + 19.0, &words, 14.0);

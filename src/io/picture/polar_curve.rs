@@ -1,4 +1,4 @@
-//! One curve of a polar chart: inside the rim as a line, beyond it as an arc along the rim.
+//! One curve of a polar chart: inside the rim, the outer circle of the chart, as a line; at radii beyond the rim as an arc along the rim.
 
 use crate::numerics::picked;
 use std::f64::consts::TAU;
@@ -9,7 +9,7 @@ use super::polar_plane::{at, width_of};
 use super::series::{ChartSeries, Stroke};
 use super::sheet::{PaperPoint, Sheet};
 
-/// Draws the curve with this index, which determines its colour.
+/// Draws curve number `index`, from 0, which determines its colour. `rim` is the radius of the rim in the unit of the curve.
 pub(super) fn draw_curve(paper: &mut Sheet, rim: f64, index: usize, curve: &ChartSeries) {
     let ChartSeries { points, stroke, .. } = curve;
     let ink = PALETTE[index % PALETTE.len()];

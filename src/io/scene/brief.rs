@@ -61,7 +61,7 @@ pub struct Brief {
     /// The first contact, joint or tendon that stops sticking, or the contact with the least margin: its name, or its kind and number.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub first: Option<String>,
-    /// The change of the contact state, or of the drive, in [`Self::first`]; for an equilibrium the state of this contact.
+    /// What the part named in [`Self::first`] does at first slip, such as "slides" or "opens"; for an equilibrium the state of this contact.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub state: Option<&'static str>,
     /// Whether the object turns [too far](Equilibrium::is_beyond_small_motions) for the model of small motions, or buckles. Left out if false.

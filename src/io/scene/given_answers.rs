@@ -52,8 +52,8 @@ impl<const C: usize> Setup<C> {
         outside(SceneNames(&inside(grasp)).onset_of_turn(&inside(onset)))
     }
 
-    /// Converts an equilibrium of a setup's grasp, for example one of [`Grasp::equilibria`], to the form of a scene's answers. Its accuracy is left
-    /// out.
+    /// Converts an equilibrium of a setup's grasp, for example one of [`Grasp::equilibria`], to the form of a scene's answers. The numerical accuracy
+    /// of the equilibrium is left out.
     #[must_use]
     pub fn tell_equilibrium(grasp: &Grasp<C>, state: &Equilibrium<C>) -> Equilibrium<C> {
         outside(SceneNames(&inside(grasp)).equilibrium(inside(state).into_owned()))

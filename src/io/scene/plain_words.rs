@@ -2,7 +2,8 @@
 
 use crate::numerics::IntoList;
 
-/// Fields of a setup, which stand inside of `planar` or `spatial`. Beside these objects they are refused with a hint.
+/// Fields of a setup, which stand inside the object `planar` or `spatial` of a scene. If they stand beside this object, the error message gives a
+/// hint.
 const SETUP: [&str; 11] = [
     "contacts",
     "fingers",

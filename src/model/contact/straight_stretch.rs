@@ -30,9 +30,9 @@ use crate::prelude::*;
 
 impl LocalLaw<'_> {
     /// State and force of a contact whose stretch has grown along a straight line from `before` to `stretch`, m. The caller subtracts any earlier
-    /// slip from `before`, so that the springs alone carry the force there; [`Compliance::slip`](super::Compliance::slip) returns that slip. In the
-    /// plane, or without sliding, the result equals [`Self::answer`] at `stretch`. The exception is a contact that closes between `before` and
-    /// `stretch`: friction starts when the contact closes.
+    /// slip from `before`, so that the force at `before` follows from the springs alone; [`Compliance::slip`](super::Compliance::slip) returns that
+    /// slip. In the plane, or without sliding, the result equals [`Self::answer`] at `stretch`. The exception is a contact that closes between
+    /// `before` and `stretch`: friction starts when the contact closes.
     pub(crate) fn answer_after(
         &self,
         before: &SVector<f64, 3>,
@@ -109,7 +109,8 @@ impl LocalLaw<'_> {
     }
 
     /// State and force of a contact that slides along `direction` with the normal force `normal` and the friction limit r, N. The slip reduces the
-    /// stiffness of the spring across the slip to the fraction `stiffness_fraction`, taken as at least [`SOLVED_ROUNDING`] and at most 1.
+    /// stiffness of the spring across the slip to the fraction `stiffness_fraction`. It is clamped to the range from [`SOLVED_ROUNDING`] to 1, since
+    /// zero would give an infinite compliance.
     fn sliding_at(
         &self,
         normal: f64,

@@ -58,7 +58,7 @@ pub enum Hold {
 #[derive(Debug, Clone, PartialEq)]
 #[must_use]
 pub struct Contact<const C: usize> {
-    /// Plane or space. In the engine, contacts of the plane also have three components, the third of which is zero.
+    /// Plane or space. Internally, vectors of contacts in the plane have three components, too, the third of which is zero.
     pub(crate) space: Space,
     pub(crate) name: Option<Arc<str>>,
     pub(crate) point: SVector<f64, C>,
@@ -82,13 +82,14 @@ pub struct Contact<const C: usize> {
     pub(crate) suction: f64,
     pub(crate) clearance: f64,
     pub(crate) hold: Hold,
-    /// Number of this point, from 0, in its soft fingertip or link; `None` for a contact that is a single point.
+    /// Number, from 0, of this contact point among the points of its soft fingertip, or of its link between bodies; `None` for a contact of a single
+    /// point.
     pub(crate) point_of_pad: Option<usize>,
     /// Name of the body into which the normal of the contact points, if the grasp has several bodies.
     pub(crate) on: Option<Arc<str>>,
     /// Name of the body on the other side of the contact, if the grasp has several bodies.
     pub(crate) against: Option<Arc<str>>,
-    /// Kind of the link to which this point belongs; `None` for an ordinary contact.
+    /// Kind of the link between bodies (hinge, cable, …) to which this point belongs; `None` for an ordinary contact.
     pub(crate) link: Option<LinkKind>,
 }
 

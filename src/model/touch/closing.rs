@@ -75,7 +75,7 @@ impl Touch {
                 let allowed = "left out where a pad meets the part at several depths or at an angle: say with what it is pressed";
                 return Err(Error::Contact { contact: contact.label(index), field, value, allowed });
             }
-            // If part of the pad misses the part, the points that touch carry the whole force.
+            // If a fraction `missing` of the pad does not meet the mesh, the points that touch carry the whole force.
             let of_force = meeting.point.share / (1.0 - missing);
             points.push(Contact {
                 name: contact.name.as_ref().map(|name| format!("{name} {i}").into()),
@@ -102,7 +102,8 @@ impl Touch {
         let touching = gaps.iter().copied().fold(f64::INFINITY, f64::min) + near;
         let mut steepest = 0.0_f64;
         for ((point, meeting), gap) in points.iter_mut().zip(&pad_point_hits).zip(&gaps) {
-            // Until a point touches, its motion along the surface does not stretch its tangential springs.
+            // Until a point touches, its motion along the surface does not stretch its tangential springs. This motion is subtracted from the command
+            // of the point.
             let slope = closing - point.normal * point.normal.dot(&closing);
             *point = point.clone().command_world(along - slope * advance.min(*gap).max(0.0));
             if *gap < advance.max(touching) {

@@ -10,13 +10,13 @@ use crate::prelude::*;
 use crate::sweep::{Reserve, Uncertainty};
 
 impl<const C: usize> Grasp<C> {
-    /// The loads up to which all contacts stick although the data are uncertain, with a reserve of `sigmas` standard deviations. A load of any
-    /// direction is added to a base load; [`Reserve::along`] returns how much of it.
+    /// The loads up to which all contacts stick although the data are uncertain, with a reserve of `sigmas` standard deviations. The load has any
+    /// direction and acts in addition to a base load; [`Reserve::along`] returns the largest such multiple of a given load.
     ///
     /// Up to this load, at most the fraction Φ(-`sigmas`) of all grasps with such data has a contact that slides: 0.00135 for three deviations. Φ is
     /// the normal distribution function. Every contact counts, not only the contact that slides first. Contact forces are computed beyond first order
-    /// in the uncertain data, at the data with which a contact most probably slides. A quarter of the fraction is kept back for the effects that this
-    /// computation neglects. The program `reserve` in `examples/reports` compares the result with samples.
+    /// in the uncertain data, at the data with which a contact most probably slides. Three quarters of the allowed fraction are used; the last
+    /// quarter allows for the effects that this computation neglects. The program `reserve` in `examples/reports` compares the result with samples.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};

@@ -65,8 +65,8 @@ pub struct Difference {
 
 #[cfg(feature = "serde")]
 impl<const C: usize> Comparison<C> {
-    /// This comparison without the data that JSON does not contain (motions in the engine's coordinates), so that it equals a comparison read back
-    /// from JSON.
+    /// This comparison without the data that JSON does not contain (motions in internal coordinates), so that it equals a comparison read back from
+    /// JSON.
     pub(crate) fn written(mut self) -> Self {
         if let MinimumOutcome::Minimum(minimum) = &mut self.minimum {
             minimum.inside = Inside::default();
@@ -201,7 +201,8 @@ impl Engine {
             force_size: 0.0,
             energy_size: equilibrium.stored_energy,
         };
-        // Motions that no spring resists are removed from the difference of the twists; in the engine's coordinates they are orthonormal.
+        // Motions that no spring resists are removed from the difference of the twists; in the internal coordinates, in which `inside` and `local`
+        // store twists, they are orthonormal.
         let mut apart: Vector = equilibrium.local.twist.to() - minimum.inside.twist.to();
         for _ in 0..2 {
             for v in equilibrium.local.free_motions.iter().chain(&minimum.inside.free_motions) {

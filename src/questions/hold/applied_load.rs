@@ -31,8 +31,8 @@ pub(crate) enum VerdictScope {
     /// Like `Whole`, but if motions cease to be small before the whole load is reached, the path is followed further, to the whole load or the loss.
     /// [`PathFacts::farthest`] is then the largest ratio of a motion to its limit up to the whole load or the loss.
     Measured,
-    /// Like `Measured`, but without the proof near the loss and without the data that only sentences need. The base load is not followed from zero to
-    /// find out whether the grasp loses it.
+    /// Like `Measured`, but without the proof that no equilibrium exists near the loss, and without the data that only sentences need. It is not
+    /// computed at which fraction of the base load equilibrium is lost, which would need a path on which the base load grows from zero.
     Decided,
     /// Only the fields that a [`super::ShortVerdict`] needs: no equilibria, no proofs and no data for sentences. The path is followed as far as for
     /// `Whole`.
@@ -141,8 +141,8 @@ impl Engine {
         let buckles = too_far.as_ref().is_some_and(|far| far.what == TooFar::Buckles);
         let state = state.filter(|_| !buckles || end.0 > 0);
         let held_to = reached(end);
-        // If motions cease to be small in a jump at the first slip, the load factors of both events differ by rounding alone. The first slip then
-        // still counts.
+        // If a jump at the first slip ends small motions, the load factor of the first slip may exceed the load factor of this end by rounding. The
+        // first slip then still counts.
         let is_small = |first: &FirstSlip| too_far.is_none() || first.factor <= held_to * (1.0 + NEGLIGIBLE);
         let start = rest_that_slips(&onset, &path);
         let first_slip = self.first_slip(&onset, &events, start.as_ref()).filter(is_small);
@@ -205,7 +205,9 @@ impl Engine {
         }
         let there = state.as_ref().or_else(|| verdict.lost.as_ref()?.state.as_deref());
         let rest = rest.filter(|_| ramp.command_change.is_none() && ramp.joint_change.is_none());
-        // Where the points of action are known, buckling is decided above; a fraction of -1, which leaves the load out, would contradict that.
+        // The fraction of the springs' resistance that contact forces take away, a negative number, is computed without the effect of the load's
+        // points of action. If these points are known, buckling is decided above. A fraction of -1 or less (all resistance is taken away) would
+        // contradict that decision, so it is dropped.
         let is_open = |part: &f64| *part > -1.0 || !self.may_buckle(&ramp.load_at(1.0));
         let by_the_load = rest
             .zip(there)
@@ -239,8 +241,8 @@ impl Engine {
             self.lost_at_rest(base, settings).map_or(otherwise, |at_rest| Holding::LostAtRest { at_rest })
         };
         match path.end() {
-            // If no equilibrium is known at the loss, the grasp does not hold the base load itself. Contacts slide under it, so that their friction
-            // falls to the kinetic value, and no other contact catches the object.
+            // If no equilibrium is known at the loss, the grasp does not hold the base load itself. Contacts slide under the base load, so that their
+            // friction falls to the kinetic value, and no other contact catches the object.
             Some(PathEnd::Lost(_)) if path.state().is_none() => or_at_rest(Holding::Lost),
             Some(PathEnd::Lost(_)) => Holding::Lost,
             Some(PathEnd::NoStart(start)) => match &**start {
@@ -325,8 +327,8 @@ impl Engine {
         let polygon = Polygon::shared(self.space(), &settings.cone);
         let problem = self.problem(polygon, settings.is_round(self.space()), offsets, &Load::from(&load));
         let at = state.local.twist.to();
-        // Any virtual motion may give the proof. Two are tried: the motion of the loss, which usually gives it, and the direction of the load. The
-        // proof that covers the larger neighbourhood of the loss is returned.
+        // Any virtual motion may give the proof. Two are tried: the motion with which the object leaves at the loss, which usually gives the proof,
+        // and the direction of the load. The proof that covers the larger neighbourhood of the loss is returned.
         let virtually = [loss.virtual_motion().map(Coordinates::to), Some(load)];
         let radii = virtually.into_iter().flatten().filter_map(|v| nothing_near(&problem, &at, &v));
         let radius = radii.max_by(f64::total_cmp)?;

@@ -1,8 +1,9 @@
 //! Friction, the forces that supports carry, squeeze and stiffness ratios of a grasp from observed slips, with their errors.
 //!
-//! A [`Slip`] is a load, or an angle, at which first or gross slip was observed. An [`Unknown`] is a number to be found, such as a coefficient of
-//! friction. [`Identify`] holds both, and [`Grasp::identify`](crate::ask::Grasp::identify) returns [`Identified`]: every number with its standard
-//! error and its confidence interval of 95 %, and the combinations that the slips do not determine.
+//! A [`Slip`] is a load, or an angle, at which a slip was observed: first slip, where the first contact slides, or gross slip, where the object is
+//! lost. An [`Unknown`] is a number to be found, such as a coefficient of friction. [`Identify`] holds both, and
+//! [`Grasp::identify`](crate::ask::Grasp::identify) returns [`Identified`]: every number with its standard error and its confidence interval of 95 %,
+//! and the combinations that the slips do not determine.
 //!
 //! | sought | meaning | unit |
 //! |---|---|---|
@@ -23,8 +24,8 @@
 //! ```
 //!
 //! Sticking contacts carry arbitrary tangential forces in addition. The unknowns of these equations are λ, m and y, the displacement that has changed
-//! the normal forces. The implicit function theorem gives their derivatives. If these equations do not hold, because the object wedges or friction
-//! falls, derivatives are difference quotients of predictions.
+//! the normal forces. The implicit function theorem gives their derivatives. If these equations do not hold, because the object wedges itself between
+//! contacts or kinetic friction is lower than static friction, derivatives are difference quotients of predictions.
 //!
 //! **Start.** The search starts at the given values of the unknowns. At these values the model may not predict some slip: the object holds any load,
 //! or is lost at once. Then all unknown friction is halved or doubled, in at most twelve trials, until all slips are predicted. The same is tried if

@@ -219,8 +219,8 @@ impl Identify<3> {
         Ok(asked)
     }
 
-    /// A load that acts before any load grows. The reader of a scene file needs it to check whether anything presses on the contacts. It is the
-    /// initial load of the first slip if carried forces are sought, or if every slip has an initial load; else zero.
+    /// A load that acts before any load grows. The code that reads scene files uses this load to check whether anything presses on the contacts. It
+    /// is the initial load of the first slip if carried forces are sought, or if every slip has an initial load; else zero.
     #[cfg(feature = "serde")]
     pub(crate) fn at_rest(&self) -> Wrench<3> {
         let mut all = self.slips.iter().map(Slip::at_rest);

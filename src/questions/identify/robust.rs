@@ -37,9 +37,9 @@ impl Huber {
         residuals.map(|u| self.pull(u).powi(2)).sum()
     }
 
-    /// A robust standard deviation of residuals with this number of degrees of freedom (Huber's second proposal). Residuals divided by it and clamped
-    /// have the mean square that clamped normal numbers have. If the loss is quadratic for all residuals, it is the standard deviation of least
-    /// squares.
+    /// A robust standard deviation of residuals with this number of degrees of freedom (Huber's second proposal). It is defined so that the
+    /// residuals, divided by this deviation and clamped, have the mean square of clamped normally distributed numbers. If the loss is quadratic for
+    /// all residuals, this deviation is that of least squares.
     pub(super) fn scale(self, residuals: &[f64], degrees: usize) -> f64 {
         let all = summed(residuals, &|r| r * r);
         let expected = degrees.max(1) as f64 * self.mean_square();
@@ -57,8 +57,9 @@ impl Huber {
         u.clamp(-self.0, self.0)
     }
 
-    /// The mean derivative of Huber's psi with respect to the residuals, corrected for the number of unknowns; at least about a half. `all` is the
-    /// number of residuals, `inside` the number of residuals that are not clamped (Huber and Ronchetti, Robust Statistics, 2009, 7.6).
+    /// The mean derivative of Huber's psi with respect to the residuals, i.e. the fraction of residuals that are not clamped, corrected for the
+    /// number of unknowns. `all` is the number of residuals, `inside` the number of those not clamped. The fraction is taken as at least a half
+    /// (Huber and Ronchetti, Robust Statistics, 2009, 7.6).
     pub(super) fn slope(all: usize, inside: usize, unknowns: usize) -> f64 {
         let part = (inside as f64 / all as f64).max(0.5);
         part / (1.0 + unknowns as f64 / all as f64 * (1.0 - part) / part)

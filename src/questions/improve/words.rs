@@ -1,5 +1,6 @@
 //! The answer to [`Improve`](super::Improve) in a sentence, as one would say it to a colleague. A design point is one choice of the places and
-//! squeezes (normal forces of commands) of all fingers; at rest means before the loads grow.
+//! squeezes (normal forces of commands) of all fingers; at rest means before the loads grow. The reserve is the least margin, N, of a contact force
+//! to the edge of its friction cone.
 
 use core::fmt;
 
@@ -121,8 +122,9 @@ impl Improved<3> {
         clauses.join("; ")
     }
 
-    /// The clause about the commands of the contacts in `pressed`, with the field of a scene and its value first: "both `pressed_with` 10 N (at rest
-    /// 9.6 N)". The object gives way to commands, so that forces at rest differ. `None` without such contacts, or for many different values.
+    /// The clause about the commands of the contacts in `pressed`: "both `pressed_with` 10 N (at rest 9.6 N)". Its numbers are the field
+    /// `pressed_with` for the scene, and the normal force at rest, which differs if the object gives way. `None` without such contacts, or for more
+    /// than [`MOST_NAMES`] contacts whose values differ.
     fn pressed_text(&self, pressed: &[&Placed<3>], words: Words) -> Option<String> {
         let largest = largest(&self.contacts, &|placed| placed.normal_force);
         let values = mapped(pressed, &|placed| placed.press_text(largest, words));
@@ -201,7 +203,7 @@ impl Improved<3> {
 
 impl Placed<3> {
     /// The value of `pressed_with`, and the normal force at rest where it reads differently: "10 N (at rest 9.6 N)". `largest` is the largest force
-    /// of all contacts, N; a force that is only rounding of it is written as zero.
+    /// of all contacts, N; a force as small as the rounding error of `largest` is written as zero.
     fn press_text(&self, largest: f64, words: Words) -> String {
         let given = words.number(words.beside(self.pressed_with.unwrap_or(0.0), largest));
         let at_rest = words.number(words.beside(self.normal_force, largest));

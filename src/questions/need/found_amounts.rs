@@ -4,7 +4,7 @@
 //! Easier amounts are larger if the least amount is sought, smaller if the greatest is sought; harder amounts are the opposite. The far end is the
 //! last sufficient amount on the easier side of the bound. A scan tries further amounts on both sides of a bound that is already found. A safe amount
 //! is sufficient also with less friction and squeeze, or with larger loads. At rest means before the loads of the question act. A bracket consists of
-//! a sufficient amount and its insufficient neighbour.
+//! a sufficient amount and its insufficient neighbour. A drive is a motor, clutch or tendon of a joint.
 
 use super::answer::{Amount, FarEnd};
 use super::bound_scan::{BoundScan, between_known};
@@ -56,9 +56,9 @@ impl FoundAmounts<'_, '_> {
         Ok(Some(FarEnd { sufficient, insufficient, otherwise, presses, at_their_limit }))
     }
 
-    /// Tries further amounts between the amounts tried before, those near `near` first; see [`between_known`]. Returns whether one of them has
-    /// another verdict than its neighbours. Nothing is tried if no scan is made, or if amounts easier (more squeeze, less load) than a sufficient one
-    /// are known to be sufficient.
+    /// Tries further amounts, those near `near` first, between neighbouring known amounts with the same verdict. [`between_known`] selects the
+    /// amounts at which another verdict is likely. Returns whether one of the further amounts has another verdict than its neighbours. Nothing is
+    /// tried if no scan is made, or if amounts easier (more squeeze, less load) than a sufficient one are known to be sufficient.
     fn changes_between(
         &self,
         plan: &SearchPlan,
@@ -83,18 +83,19 @@ impl FoundAmounts<'_, '_> {
         Ok(Amount::Any { to, until: self.far_end(until)?, tried })
     }
 
-    /// The result of the scan around a bound. The scan is repeated if an amount between its amounts has another verdict than its neighbours, see
-    /// [`Self::changes_between`].
+    /// The result of the scan around a bound. The scan is repeated if [`Self::changes_between`] finds an amount whose verdict differs from that of
+    /// its neighbours.
     fn around(&self, plan: &mut SearchPlan, bound: &Threshold) -> Result<BoundScan, Error> {
         let sufficient = bound.sufficient;
         let is_squeeze = matches!(self.tried.need.sought, Sought::Squeeze | Sought::Overlaps);
-        // If `is_monotone`, a larger squeeze always carries more, but it may move the object too far. Therefore one squeeze is tried that is much
-        // larger than the least squeeze and than the given squeeze. If it is insufficient, the whole range is scanned.
+        // If `is_monotone`, a larger squeeze always carries more, but it may move the object too far. Therefore one much larger squeeze is tried:
+        // [`FAR_FROM_START`] times the least squeeze or, if larger, times the given squeeze. If it is insufficient, the whole range is scanned.
         let ample = FAR_FROM_START * sufficient.max(plan.start);
         if plan.is_monotone && is_squeeze && self.scan > 0 && plan.contains(ample) {
             self.tries.at(ample)?;
         }
-        // A wedge that is driven in carries less the more friction it has. Friction of a surface may be larger than in the scene, up to about 1.
+        // A wedge that is pressed in between contacts may carry less load if friction is larger. Friction of a surface may be larger than in the
+        // scene, up to about 1. Therefore the coefficient 1 ([`USUAL_FRICTION`]) is tried, too.
         let is_friction = matches!(self.tried.need.sought, Sought::Friction { .. });
         let is_more = sufficient < USUAL_FRICTION && plan.contains(USUAL_FRICTION);
         if is_friction && is_more && !plan.is_monotone && self.scan > 0 {
@@ -109,8 +110,9 @@ impl FoundAmounts<'_, '_> {
         if self.changes_between(plan, sufficient, &|_| true)? { around() } else { Ok(found) }
     }
 
-    /// The bracket at the harder end (less squeeze, more load) of an interval of sufficient amounts that is not [narrow](NARROW). Among several such
-    /// intervals the one with the hardest end is taken. `None` if `bound` is at this end already, or if all intervals are narrow.
+    /// The bracket at the harder end (less squeeze, more load) of an interval of sufficient amounts whose ends differ by more than 1 % ([`NARROW`]).
+    /// Among several such intervals the one with the hardest end is taken. `None` if `bound` is at this end already, or if the ends of all intervals
+    /// differ by less.
     fn edge_of_a_wide_window(
         &self,
         plan: &SearchPlan,
@@ -188,8 +190,8 @@ impl FoundAmounts<'_, '_> {
     }
 }
 
-/// Whether the search for a safe amount stepped over many amounts. This is so if the sufficient amount is easier (more squeeze, less load) than the
-/// first amount tried by more than the ratio [`STEPPED_OVER`].
+/// Whether the search for a safe amount stepped over many amounts whose verdicts do not follow from the verdict on another amount. This is so if the
+/// sufficient amount is easier (more squeeze, less load) than the first amount tried by more than the factor 1.25 ([`STEPPED_OVER`]).
 fn is_stepped_over(plan: &SearchPlan, sufficient: f64) -> bool {
     let begin = plan.begin();
     let ratio = if plan.is_least { sufficient / begin } else { begin / sufficient };

@@ -21,12 +21,12 @@
 //! For every amount that is tried, [`Grasp::hold`](crate::ask::Grasp::hold) gives the verdict. An amount is sufficient if the grasp meets the demand
 //! with it. The answer names two neighbouring amounts at the bound (the least or greatest sufficient amount): one is sufficient, the other is
 //! insufficient. This bracket is narrowed with secants of the carried fraction of the load (the load factor up to which the demand is met), in the
-//! plane to the last digits. If that fraction jumps at the bound, secants of a second margin are used. It is the distance to the limit of small
-//! motions (up to which the linear theory is trusted), or the margin of sticking at rest. At rest means under the load that acts before the others.
-//! If no equilibrium at rest exists beyond the bound, the distances of contacts from the ends of their states (open, sticking, sliding) are used.
-//! While the bracket is narrowed, two parts of a verdict are omitted: the enumeration of many contact states, which is slowest near a bound, and the
-//! reason why no equilibrium exists. The verdicts for the two amounts of the answer include both. If only the enumeration finds equilibria at rest
-//! beyond the bound, a few amounts are tried there. If some are sufficient beyond insufficient ones, the bound lies before all of them.
+//! plane to the last digits. If that fraction jumps at the bound, secants of another measure are used: the distance to the limit of small motions (up
+//! to which the linear theory is trusted), or the least margin by which a contact sticks at rest. At rest means under the load that acts before the
+//! others. If no equilibrium at rest exists beyond the bound, the distances of contacts from the ends of their states (open, sticking, sliding) are
+//! used. While the bracket is narrowed, two parts of a verdict are omitted: the enumeration of many contact states, which is slowest near a bound,
+//! and the reason why no equilibrium exists. The verdicts for the two amounts of the answer include both. If only the enumeration finds equilibria at
+//! rest beyond the bound, a few amounts are tried there. If some are sufficient beyond insufficient ones, the bound lies before all of them.
 //!
 //! Statics comes first: the amounts for which some forces inside all cones balance the loads form an interval, and a proof excludes all others. A
 //! larger squeeze is not always better: a motor at its limit presses no harder while another finger still pushes the object away. Therefore the

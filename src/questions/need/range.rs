@@ -97,7 +97,8 @@ impl Range {
             let there = loading(end)?;
             let works = |of: &Loading| of.grasp.engine.work_along(&of.to_balance()[which], &motion);
             let (work, beyond) = (works(&here)?, works(&there)?);
-            // The load does positive work along the motion at both ends of the range, so no contact forces balance it at any amount between them.
+            // The load does positive work along the motion of the proof at both ends of the range, so no contact forces balance the load at any
+            // amount between these ends.
             if beyond >= 0.0 || at == end {
                 // If proofs from both sides exclude all amounts down to a single amount, this last amount may be excluded due to rounding only.
                 let root = at + (end - at) * (work / (work - beyond));
@@ -117,14 +118,14 @@ impl Range {
     }
 
     /// The least coefficient of friction with which contact forces balance all loads. For a smaller coefficient, a motion along which a load does
-    /// positive work is a proof. This work vanishes at the least coefficient. Secants of the work give this coefficient more accurately than a
-    /// bisection on whether a proof exists.
+    /// positive work, and no contact force negative work, proves that no contact forces balance this load. This work vanishes at the least
+    /// coefficient. Secants of the work give this coefficient more accurately than a bisection on whether a proof exists.
     fn least_friction(
         &mut self,
         loading: &dyn Fn(f64) -> Result<Loading, Error>,
         [least, most]: [f64; 2],
     ) -> Result<(), Error> {
-        // The work of a load along the motion that proves it unbalanced; `None` if no load has such a proof.
+        // The work of a load along the motion that proves this load unbalanced; `None` if no load has such a proof.
         let left = |amount: f64| {
             let here = loading(amount)?;
             let mut loads = here.to_balance();
@@ -142,8 +143,8 @@ impl Range {
         }
         let (Some(mut last), mut low, mut high) = (left(least)?, least, most) else { return Ok(()) };
         let mut secant = None;
-        // For limits with a ratio of 2⁴⁰ about 40 halvings are needed, the first ones in logarithms. With fewer, the end of the range would be less
-        // accurate.
+        // If the ratio of the limits `high` and `low` is 2⁴⁰, about 40 halvings are needed, of which the first halve the logarithm of this ratio.
+        // With fewer than eighty steps allowed, the end of the range might be less accurate.
         for _ in 0..80 {
             if high - low <= SAME_COEFFICIENT * high {
                 break;

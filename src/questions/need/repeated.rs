@@ -66,7 +66,7 @@ impl Loading {
 }
 
 /// For an insufficient amount, a number below 1 that guides the search for a sufficient amount. It replaces the carried part of the load, the load
-/// factor up to which a load that is applied once is held. It is larger the later the object is lost, or the less the object moves per period.
+/// factor up to which a load that is applied once is held. The number is larger if the object is lost later, or moves less in each period.
 fn carried(shaken: &Shaken<3>, legs: usize) -> f64 {
     // A loss of the object gives a number below one half; a walk and sliding to and fro give larger numbers. A search for larger numbers thus leads
     // from losses to walks, and from walks to rest.

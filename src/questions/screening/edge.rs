@@ -26,8 +26,8 @@ pub(super) struct LeavingEdge<const C: usize, X: Packed> {
     pub(super) by_friction: [X; MOST_SCREENED],
     /// The derivative of the margin m with respect to the load factor, N.
     pub(super) rate: X,
-    /// Positive if the least load factor has a kink at these data, so that derivatives are one-sided; else zero. There is a kink if several contacts
-    /// leave their cones together, or if the friction force is zero.
+    /// Positive if the load factor at first slip, the least over the contacts, has a kink at these data, so that derivatives are one-sided; else
+    /// zero. There is a kink if several contacts leave their cones together, or if the friction force is zero.
     pub(super) kink: X,
 }
 

@@ -74,8 +74,8 @@ fn known<X: Packed>(factor: X, closing: X, noise: X) -> X {
     closing.above(noise, factor, X::all(f64::INFINITY))
 }
 
-/// The first slip of the grasps of a block. `base` has the contact forces at load factor zero, `rates` the derivatives of these forces with respect
-/// to the load factor.
+/// The first slip of the grasps of a block, one grasp in each lane of a SIMD vector. `base` has the contact forces at load factor zero, `rates` the
+/// derivatives of these forces with respect to the load factor.
 #[inline(never)]
 pub(super) fn judge<V: Vectors, const C: usize, X: Packed>(
     v: V,

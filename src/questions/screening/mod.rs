@@ -22,9 +22,9 @@
 //! In a control loop [`Fingers::watch`] takes measured contact forces. It returns their margins, the first slip under a load to come, and the extra
 //! squeeze that this load needs.
 //!
-//! [`Grasp::onset`] and the other method of the table agree with screening if every contact sticks at the start and the numbers are not extreme.
-//! Otherwise the verdict of screening says why there is no number ([`ScreeningVerdict`], [`SqueezeVerdict`]). Screening does not follow the grasp
-//! beyond the first slip.
+//! [`Grasp::onset`] and the other method of the table agree with screening if every contact sticks at load factor zero, and no numbers are so large
+//! or small that their products over- or underflow. Otherwise the verdict of screening says why there is no number ([`ScreeningVerdict`],
+//! [`SqueezeVerdict`]). Screening does not follow the grasp beyond the first slip.
 //!
 //! One grasp at a time: [`Fingers`]. Many grasps under common loads: [`Batch`]; with soft fingertips or more than five contacts: [`PointBatch`]. On
 //! all cores: [`sweep::onsets_of_batch`](crate::sweep::onsets_of_batch) and [`sweep::least_squeezes_of_batch`](crate::sweep::least_squeezes_of_batch).

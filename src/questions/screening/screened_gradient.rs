@@ -1,6 +1,6 @@
-//! Access to the derivatives of load factors at first slip. A gradient belongs to one grasp under one load. It consists of the load factor at which
-//! the first contact stops sticking, and its derivatives with respect to all data. At this factor the margin of that contact, `μ F_n - |F_t|`,
-//! vanishes. The base load acts at load factor 0.
+//! Access to the derivatives of load factors at first slip, as screening computes them for many grasps at once. A gradient belongs to one grasp under
+//! one load. It consists of the load factor at which the first contact stops sticking, and its derivatives with respect to all data. At this factor
+//! the margin of that contact, `μ F_n - |F_t|`, vanishes. The base load acts at load factor 0.
 
 use super::first_slip::SlipCode;
 use super::gradient_row::GradientRow;
@@ -54,10 +54,11 @@ impl<const C: usize> ScreenedGradients<C> {
         rows.map(move |row| ScreenedGradient { contacts, row })
     }
 
-    /// All numbers, row by row, [`Self::width`] in each row. A row for n contacts begins with 4 numbers. The first is the load factor, or the code of
-    /// the verdict. The second is the sum of 2^i over the contacts i that stop sticking. The third is the index, from 0, of the contact whose margin
-    /// is differentiated. The fourth is positive if the load factor has a kink. The derivatives follow: with respect to n points, n normals, n
-    /// commands, n pairs of stiffnesses, n coefficients of friction, and the components of the base load. [`ScreenedGradient`] returns each of them.
+    /// All numbers, row by row, [`Self::width`] in each row. A row for n contacts begins with 4 numbers. The first is the load factor at first slip,
+    /// or a negative code if screening has no load factor. The second is the sum of 2^i over the contacts i that stop sticking. The third is the
+    /// index, from 0, of the contact whose margin is differentiated. The fourth is positive if the load factor has a kink at these data (see
+    /// [`ScreenedGradient::is_one_sided`]), else zero. The derivatives follow: with respect to n points, n normals, n commands, n pairs of
+    /// stiffnesses, n coefficients of friction, and the components of the base load. [`ScreenedGradient`] returns each of them.
     #[must_use]
     pub fn numbers(&self) -> &[f64] {
         &self.numbers
@@ -76,12 +77,12 @@ impl<const C: usize> ScreenedGradients<C> {
 /// If [`Self::is_one_sided`] is true, several contacts stop sticking together, or a contact force leaves its cone through the apex. The least of the
 /// contacts' load factors then has a kink. The derivatives given here are then derivatives of the load factor at which the margin of
 /// [`Self::contact`] vanishes. For the derivatives of each of these contacts see
-/// [`Fingers::onset_gradients`](crate::screening::Fingers::onset_gradients). If the data change, the derivative of the load factor at first slip is
-/// the least of the derivatives for these contacts.
+/// [`Fingers::onset_gradients`](crate::screening::Fingers::onset_gradients). For a given change of the data, the derivative of the load factor at
+/// first slip is the least of the derivatives that belong to these contacts.
 ///
-/// If no spring resists some motion of the object, derivatives with respect to points, normals and loads are NaN. With other data there may be no
-/// equilibrium. Two hard fingers in space are such a grasp. [`OnsetMargins::by`](crate::load_path::OnsetMargins::by) has derivatives for such grasps,
-/// too.
+/// If no spring resists some motion of the object, derivatives with respect to points, normals and loads are NaN, because no equilibrium may exist
+/// after a change of these data. Two hard fingers in space are such a grasp. [`OnsetMargins::by`](crate::load_path::OnsetMargins::by) has derivatives
+/// for such grasps, too.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ScreenedGradient<'a, const C: usize> {
     contacts: usize,

@@ -32,7 +32,7 @@ pub(super) struct Cycle {
 }
 
 impl Cycle {
-    /// Follows the next cycle; `None` if the load path ends before the cycle does.
+    /// Follows the load path through the next cycle; `None` if the path ends, for example with a loss of equilibrium, before the cycle is complete.
     pub(super) fn next(engine: &Engine, cycles: &mut Cycles<'_>) -> Option<Self> {
         let from = cycles.cycle_state()?;
         let record = cycles.follow_cycle()?;
@@ -83,8 +83,8 @@ impl Cycle {
         self.difference().amax()
     }
 
-    /// The largest [`Self::change`] with which a cycle is taken to repeat itself: [`SAME_CYCLE`], or the estimated relative step error of its load
-    /// path if that is larger.
+    /// The largest [`Self::change`] with which a cycle is taken to repeat itself: [`SAME_CYCLE`], 1e-11, which allows for rounding, or the estimated
+    /// relative step error of the cycle's load path if that is larger.
     pub(super) fn same(&self) -> f64 {
         SAME_CYCLE.max(self.record.step_error)
     }
@@ -105,13 +105,13 @@ impl Cycle {
         first.map(|cycles| cycles.max(0.0) as usize)
     }
 
-    /// Whether a contact or drive slides in the cycle. It does if the length of its path of slip exceeds rounding and the errors of jumps (motions
-    /// under constant load).
+    /// Whether a contact or drive slides in the cycle. It does if its path of slip is longer than the sum of two errors: rounding, and the false slip
+    /// from the numerical steps of jumps (motions under constant load).
     pub(super) fn slides(&self, site: usize) -> bool {
         self.record.slid[site] > NEGLIGIBLE * self.scale.stretch + SLIP_OF_JUMPS * self.record.jump_motion
     }
 
-    /// Whether a contact is open somewhere in the cycle, by a gap larger than rounding.
+    /// Whether a contact is open at some time in the cycle, by a gap larger than rounding.
     pub(super) fn is_open(&self, site: usize) -> bool {
         self.record.largest_gap[site] > NEGLIGIBLE * self.scale.stretch
     }
@@ -121,8 +121,9 @@ impl Cycle {
         self.record.open[site].is_none() && self.is_open(site)
     }
 
-    /// Whether the object has moved and the slip of some contact has changed by the end of the cycle, both by more than rounding. Slips below the
-    /// errors of jumps count here, too, since they add up over the cycles.
+    /// Whether the object has moved, and the slip of some contact has changed, from the beginning to the end of the cycle, both by more than
+    /// rounding. Here slips count even if they are shorter than the errors of jumps in [`Self::slides`], since slips of the same sense add up over
+    /// the cycles.
     pub(super) fn walks(&self) -> bool {
         // If directions of slip turn along the load path, the error of the slips in a cycle may be a hundred times the estimated step errors.
         let still = NEGLIGIBLE.max(100.0 * self.record.step_error) * self.scale.stretch;
@@ -133,7 +134,8 @@ impl Cycle {
     }
 }
 
-/// The [`CycleUnits`] of this cycle; 1 N if no contact force acted, and the size of the grasp if no spring is stretched.
+/// The [`CycleUnits`] of this cycle. The unit of force is 1 N if no contact force acted; the unit of gaps and slips is the size of the grasp if no
+/// spring is stretched.
 fn scale_of(engine: &Engine, record: &CycleRecord, at: &CycleState) -> CycleUnits {
     let softness = |(site, force): (&Site, &SVector<f64, 3>)| {
         let size = force.norm();

@@ -28,7 +28,8 @@ pub struct Shaken<const C: usize> {
     pub every: usize,
     /// Number of load cycles up to the verdict, including those skipped by extrapolation and a last cycle in which the object is lost.
     pub cycles: usize,
-    /// Number of cycles whose load path was computed, including trials. Of many cycles with the same events, only a few are computed.
+    /// Number of cycles whose load path was computed, including trial cycles from extrapolated states. Of many cycles with the same events, only a
+    /// few are computed.
     pub followed: usize,
     /// The largest change from the beginning to the end of the last cycle or period: of forces relative to the largest contact force, of gaps
     /// relative to the stretch of the softest spring under this force. Apart from rounding and step errors it is zero, unless the verdict is
@@ -42,7 +43,7 @@ pub struct Shaken<const C: usize> {
     /// The contacts that open and close again in every period, once the motion repeats itself.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub opens: Vec<WholeContact>,
-    /// The suction cups that are open at some point of the lip in any cycle that was followed to its end: there air flows in.
+    /// The suction cups whose lip is open at some point, so that air flows in, in any cycle that was followed to its end.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub leaks: Vec<WholeContact>,
     /// The joints and tendons that yield at their limits: in a period, or before the grasp comes to rest.
@@ -51,8 +52,8 @@ pub struct Shaken<const C: usize> {
     /// The motion of the object, or of each body, from the equilibrium under the base load to the end of the last cycle; if slips die out, to the
     /// limit.
     pub moved: Vec<BodyMotion<C>>,
-    /// The motion that first ceases to be [small](crate::Settings::small_motions) within the cycles: beyond it, answers are those for the undeformed
-    /// geometry. Also that a suction cup leaks or the grasp buckles. `None` without any of these.
+    /// The motion that first ceases to be [small](crate::Settings::small_motions) within the cycles; from then on answers neglect that the geometry
+    /// changes. If a suction cup leaks or the grasp buckles first, this is stated instead. `None` without any of these.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub too_far: Option<TooFar>,
     /// The equilibrium after the last cycle that was followed, before the next one begins; `None` if the load path has ended.

@@ -1,8 +1,10 @@
 //! The failure probability of a facet of a friction cone to second order in the errors of the data.
 //!
-//! Near the point of failure z the margin m is expanded to second order. Let g be its gradient, H its second derivative with respect to the data, and
-//! n = g / |g|. The failure probability is `Φ(-β)` times a factor, which is below 1 if the margin curves upwards across n (Hohenbichler and Rackwitz,
-//! Improvement of second-order reliability estimates by importance sampling, 1988)
+//! The point of failure z is the smallest vector of errors of the data, in standard deviations, at which the margin m of the facet vanishes; the
+//! reliability β is its length. The normal distribution has the density φ and the distribution function Φ. Near z the margin is expanded to second
+//! order. Let g be its gradient, H its second derivative with respect to the data, and n = g / |g|. The failure probability is `Φ(-β)` times a
+//! factor, which is below 1 if the margin curves upwards across n (Hohenbichler and Rackwitz, Improvement of second-order reliability estimates by
+//! importance sampling, 1988)
 //!
 //! ```text
 //! det(A on the complement of n)^(-1/2),      A = 1 + ψ H / |g|,      ψ = φ(β) / Φ(-β)
@@ -22,7 +24,7 @@ use crate::prelude::*;
 impl FacetMargin {
     /// The failure probability divided by `Φ(-β)`, for a margin that is positive for the data as given. The gradient of the margin at the point of
     /// failure is stored in `self`. `joint` returns nᵀCn and |C|² for the matrix C of interactions of pairs of data, see the top of this file. The
-    /// argument of `joint` is the factor on friction.
+    /// argument of `joint` is the factor on the coefficient of friction at the point of failure.
     pub(super) fn curved(
         &self,
         involves_friction: bool,
@@ -78,8 +80,8 @@ mod tests {
         (margin.fails(), normal_tail(margin.reliability()))
     }
 
-    /// The total probability of failure, if it is P(z), computed by `given`, once the error of one datum is z standard deviations. It is `∫ φ(z) P(z)
-    /// dz` with the normal density φ, by the midpoint rule.
+    /// The total probability of failure if the error of one datum is random, normally distributed. `given` returns the probability P(z) of failure
+    /// with an error of z standard deviations. The total is `∫ φ(z) P(z) dz` with the normal density φ, by the midpoint rule.
     fn averaged(given: &dyn Fn(f64) -> f64) -> f64 {
         let (steps, width) = (4000, 4e-3);
         let at = |k: i32| f64::from(2 * k + 1 - steps) * 0.5 * width;

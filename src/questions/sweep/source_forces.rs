@@ -21,7 +21,8 @@ use crate::prelude::*;
 pub(super) struct SourceForces {
     /// The forces, N, for the data as given; for an open contact its gap, m.
     pub(super) known: Vec<SVector<f64, 3>>,
-    /// For each uncertain datum and each contact or drive, the change of the force as a polynomial in the error of this datum.
+    /// For each uncertain datum and each contact or drive, the change of the force (or gap) as a polynomial in the error of this datum, see
+    /// [`Effect`].
     pub(super) off: Vec<Vec<Effect>>,
 }
 

@@ -1,5 +1,5 @@
-//! Uncertainty of friction, stiffness and clamping force in a map, and the number of standard deviations by which they may deviate before a contact
-//! slides.
+//! Uncertainty of friction, stiffness and clamping force in a map, which shows for every direction the force at first slip. Also the number of
+//! standard deviations by which these data may deviate before a contact slides.
 
 use clap::Args;
 use grasp_lcp::sweep::Uncertainty;
@@ -19,9 +19,9 @@ pub(crate) struct DataDeviations {
     /// One standard deviation of what presses (clamping forces, commands, tensions, vacuums), percent.
     #[arg(long, allow_hyphen_values = true, value_parser = percent, default_value_t = 5.0, value_name = "PERCENT")]
     squeeze_off: f64,
-    /// Standard deviations in reserve: with 3 one grasp in 740 slides below the force, with 2 one in 44. Every friction and squeeze is multiplied by
-    /// a factor of its own, and so is the stiffness of every contact, along all its axes alike. Factors are log-normal: twice and half are equally
-    /// likely
+    /// Reserve of each force of the map, in standard deviations of the data: with 3 one grasp in 740 slides under less than this force, with 2 one in
+    /// 44. Every friction and squeeze is multiplied by a factor of its own, and so is the stiffness of every contact, along all its axes alike.
+    /// Factors are log-normal: twice and half are equally likely
     #[arg(long, allow_hyphen_values = true, value_parser = deviations, default_value_t = 3.0, value_name = "NUMBER")]
     pub(super) sigmas: f64,
 }

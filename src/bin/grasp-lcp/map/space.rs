@@ -20,7 +20,7 @@ use crate::files::Pictures;
 
 /// The grid of force directions in which load paths are followed: number of rings from pole to equator, and number of directions on a ring.
 const PATH_GRID: (usize, usize) = (16, 42);
-/// Time limit of the load paths in all directions of the grid together.
+/// Time limit of the load paths in all directions of the grid together. If they take longer, the program makes no map of them.
 const MOST_PATH_TIME: Duration = Duration::from_secs(120);
 
 pub(crate) fn map(
@@ -53,7 +53,7 @@ pub(crate) fn map(
         ));
     };
     // The direction of the least force at first slip. It is exact if all contacts are closed and stick under the base load; otherwise it is the
-    // weakest direction of the grid.
+    // direction of the grid in which this force is least.
     let (weakest, onset) = ask::weakest(&quick, &base, at)?.unwrap_or((directions[nearest], least));
 
     let coarse = SphereGrid::new(PATH_GRID.0, PATH_GRID.1);
@@ -106,7 +106,7 @@ pub(crate) fn map(
 }
 
 /// For each direction in `ways`, the end of the load path along which a force in this direction grows from zero up to `most`, N. `None` if the paths
-/// take too long, or if the grasp has too many contact points.
+/// take longer than [`MOST_PATH_TIME`], or if the grasp has more than [`MOST_NAMED_POINTS`] contact points.
 fn load_paths(
     grasp: &Grasp,
     watch: MapProgress,
@@ -188,7 +188,7 @@ impl Drawing<'_> {
     }
 
     /// Saves the picture of a map in a file whose name ends in `end`. Below it stand the notes that all maps share, and the note `note`. Contact
-    /// normals are marked with the names of the contacts, if they are few.
+    /// normals are marked with the names of the contacts, if there are at most [`MOST_NAMED_POINTS`], 8.
     fn save(&self, end: &str, map: SphereMap, note: &str) -> Result<(), Failure> {
         let note_of_all = "Crosses: contact normals, the way the finger pushes. Equal areas are equal solid angles. \
                            Rings: angle from ±z.";

@@ -23,7 +23,8 @@ pub(super) struct WrittenMap<'a, const C: usize> {
 }
 
 impl<const C: usize> WrittenMap<'_, C> {
-    /// Prints the map as one JSON object. An infinite force is written as "never" or "further", an unknown force as null.
+    /// Prints the map as one JSON object. If no contact slips under any force of a direction, its force is written as "never". If the load path holds
+    /// up to the largest force that is followed, its force is "further". An unknown force is null.
     pub(super) fn print(&self) {
         let onset = |(direction, first): &([f64; C], &FirstSlipForce)| {
             json!({

@@ -3,8 +3,8 @@
 //! [`LoadPath`](super::LoadPath) finds every event of a few hundred contacts. If thousands slide on the round cone, their directions of slip turn all
 //! the time. Here a step assumes that the stretch (spring deformation) of every contact changes along a straight line, for which its slip is exact.
 //! Newton's method finds the motion of the object that balances the load at the end of the step. The remaining error arises because stretches do not
-//! change along straight lines within the step. To measure this error, each step is made both at once and in two halves. A second path, of steps made
-//! at once, measures how much of the error remains after later steps.
+//! change along straight lines within the step. To measure this error, each step is made both at once and in two halves. A second path, on which no
+//! step is divided into halves, shows how much of this error remains after later steps.
 //!
 //! | file | idea |
 //! |---|---|

@@ -34,7 +34,7 @@ impl StepPace {
         let longest =
             if let Trajectory::Turn { angle, .. } = trajectory { FRAC_PI_2 / angle.abs() } else { 1.0 };
         let speeds = Speeds::default();
-        // The first step of a leg is a sixteenth of it.
+        // The first step of a leg is a sixteenth of the leg; step control changes later lengths.
         Self { rate: None, speeds, changed: 1.0, step: 1.0 / 16.0, longest, refused: false, tried: 0 }
     }
 

@@ -39,8 +39,8 @@ impl Speeds {
         let far = before.find(|[fraction, _]| end - fraction >= 1e3 * (end - near));
         // If the speed grows without bound, the last recorded speed is within this fraction of the leg from the end of the path.
         let to_the_end = 1e-8;
-        // If the speed grows by more than this factor between the two fractions `far` and `near`, it is taken as unbounded. At a corner, another end
-        // of a path, the speed is bounded.
+        // If the speed grows by more than this factor between the two fractions `far` and `near`, it is taken as unbounded: with δ^{-1/2}, the
+        // slowest growth above, it would grow by √1000, about 32. At a corner, another end of a path, the speed is bounded.
         let runs = 8.0;
         end - near < to_the_end && far.is_some_and(|[_, slow]| *fast > runs * slow)
     }

@@ -1,7 +1,8 @@
 //! The coordinates that belong to each body, the two bodies that each contact joins, and the loads on bodies.
 //!
-//! One body, on which the loads act that the caller passes to a question such as `hold`, has the coordinates of the object. The coordinates of the
-//! other bodies follow those of the joints. A load program is a sequence of ramps and turns of the loads, along which a load path is followed.
+//! One of the bodies has the coordinates of the object, which come first; the coordinates of the other bodies follow those of the joints. Unless it
+//! is shared among several bodies, the load that the caller passes to a question such as `hold` acts on the body with the object's coordinates. A
+//! load program is a sequence of ramps and turns of the loads, along which a load path is followed.
 
 use alloc::sync::Arc;
 
@@ -146,9 +147,9 @@ impl PlacedBodies {
         }
     }
 
-    /// Relative displacement at a contact per unit of each coordinate of its two bodies. Coordinates of the object are left out; the index of a
-    /// coordinate is counted after them. The relative displacement is that of the body on the other side of the contact, less that of the body into
-    /// which the normal points.
+    /// Relative displacement at a contact per unit of each coordinate of its two bodies. Coordinates of the object are left out; the index of any
+    /// other coordinate is counted from 0 after those of the object. The relative displacement is that of the body on the other side of the contact,
+    /// less that of the body into which the normal points.
     pub(crate) fn columns(&self, contact: usize, point: &SVector<f64, 3>) -> Columns {
         let object = self.space.of_the_object();
         let mut columns = Columns::new();

@@ -42,8 +42,8 @@ impl Assembly {
                 ContactMover::Link(link) => self.on_link(*link, finger, (&contact, index), first)?,
             };
             columns.extend(self.on_slide(finger, (&contact, index), &frame)?);
-            // The compliance matrix of the finger is C = D + V Vᵀ with a diagonal D. The columns of V couple the contacts. Each column gets one more
-            // coordinate, which is no displacement of a joint.
+            // The compliance matrix of the finger is C = D + V Vᵀ with a diagonal D. The columns of V couple the contacts. For each column of V the
+            // hand gets one more coordinate, with a spring of stiffness 1; it is not the displacement of a joint.
             for (k, column) in own.iter().enumerate() {
                 let along = of_axes(axes, |a| column[axes * place + a]);
                 columns.push((self.used + k, frame * along));

@@ -147,8 +147,8 @@ impl<const C: usize> JointMotion<C> {
     }
 
     /// Velocity of the point `at` per unit velocity of the joint. For a revolute joint it is `axis × (at - point)`, with the unit vector along the
-    /// axis. For a prismatic joint it is the unit direction, and for a given motion zero. For an invalid axis or direction, the error is its length,
-    /// or its component that is not finite.
+    /// axis. For a prismatic joint it is the unit direction, and for a given motion zero. For an invalid axis or direction, the error is the length
+    /// of this vector, or its component that is not finite.
     pub(super) fn of_point(&self, at: &SVector<f64, C>) -> Result<SVector<f64, C>, f64> {
         let along = |axis: &SVector<f64, C>| unit(axis).ok_or_else(|| length_or_culprit(axis));
         match self {
