@@ -62,6 +62,10 @@ pub struct Needed {
     /// Whether a contact has a coefficient of kinetic friction of its own, which changes in proportion to the friction sought.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "core::ops::Not::not"))]
     pub scales_kinetic: bool,
+    /// Whether the object jumps with the amount of [`Self::amount`] while the load is put on: it slips under constant load until a contact catches it,
+    /// or snaps over. Its momentum is not counted.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "core::ops::Not::not"))]
+    pub jumps: bool,
     /// Contacts without friction, which stay frictionless if one coefficient for all other contacts is sought.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub without_friction: Vec<WholeContact>,

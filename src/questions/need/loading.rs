@@ -170,7 +170,7 @@ impl Loading {
     /// The worst result over the loads of all these ramps (a ramp is a load that grows in proportion). The loop ends at the first load that is not
     /// carried.
     fn all(&self, ramps: &[Ramp<3>], demand: Demand, refuting: &RefutingLoads) -> Result<Trials, Error> {
-        let (mut held, mut sticks, mut kinds) = (Trial::always(), Trial::always(), None);
+        let (mut held, mut sticks, mut kinds, mut jumps) = (Trial::always(), Trial::always(), None, false);
         let (mut weakest, mut least) = (refuting.first.get(), f64::INFINITY);
         for k in 0..ramps.len() {
             let which = (refuting.first.get() + k) % ramps.len();
@@ -190,7 +190,7 @@ impl Loading {
                 }
             }
             let (verdict, path) = self.put_on_up_to(&ramps[which], held.carried())?;
-            kinds = path.at_rest;
+            (kinds, jumps) = (path.at_rest, jumps || path.jumps > 0);
             let of_this = |trial| self.said_of(which, &ramps[which].direction, trial);
             held = held.or_worse(of_this(self.judged((&verdict, 1.0 - path.farthest), Demand::Held)));
             let at_rest = self.grasp.sticking_margin(&verdict.base).unwrap_or(f64::INFINITY);
@@ -204,12 +204,12 @@ impl Loading {
                 // The loop ends here. If this load is not held, the loads together are not held. If it is held, but a contact slides under it, later
                 // loads were not tried, and whether all are held is not known (`None`).
                 let held = (!held.is_sufficient() || k + 1 == ramps.len()).then_some(held);
-                return Ok(Trials { held, sticks: Some(sticks), at_rest: kinds });
+                return Ok(Trials { held, sticks: Some(sticks), at_rest: kinds, jumps });
             }
         }
         let is_held = !(self.grasp.settings().is_quick && demand == Demand::Sticks);
         refuting.first.set(weakest);
-        Ok(Trials { held: is_held.then_some(held), sticks: Some(sticks), at_rest: kinds })
+        Ok(Trials { held: is_held.then_some(held), sticks: Some(sticks), at_rest: kinds, jumps })
     }
 
     /// The verdict on a ramp, and data of its load path: the number of jumps, the largest motion relative to its limit, and the equilibrium at rest.

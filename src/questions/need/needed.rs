@@ -98,6 +98,7 @@ impl Need<3> {
             safe.end_before(&amount, asked.quantity().is_least(), reduction);
             Ok(safe)
         });
+        let jumps = amount.bound().is_some_and(|at| trials.jumps_with(at));
         Ok(Needed {
             quantity: asked.quantity(),
             demand: asked.demand,
@@ -112,6 +113,7 @@ impl Need<3> {
             anticlockwise: asked.tilts_anticlockwise(grasp.space()),
             by_overlaps: asked.sought == Sought::Overlaps,
             in_place_of_squeeze: quantity == Quantity::Squeeze && !is_squeezed,
+            jumps,
             scales_kinetic: asked.scales_kinetic(grasp.contacts()),
             without_friction: match asked.sought {
                 Sought::Friction { contacts: None } => {

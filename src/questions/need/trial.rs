@@ -137,6 +137,8 @@ pub(super) struct Trials {
     pub(super) sticks: Option<Trial>,
     /// The contact states at rest; `None` if no equilibrium at rest exists or is known.
     pub(super) at_rest: Option<AtRest>,
+    /// Whether the object jumps while a load is put on: it slips under constant load until a contact catches it, or snaps over.
+    pub(super) jumps: bool,
 }
 
 impl Trials {
@@ -146,7 +148,7 @@ impl Trials {
 
     pub(super) fn only(demand: Demand, trial: Trial) -> Self {
         let (held, sticks) = if demand == Demand::Sticks { (None, Some(trial)) } else { (Some(trial), None) };
-        Self { held, sticks, at_rest: None }
+        Self { held, sticks, ..Self::default() }
     }
 }
 

@@ -163,6 +163,12 @@ impl<'q> TrialRecord<'q> {
         found(one).zip(found(other)).is_some_and(|(one, other)| differ(one, other))
     }
 
+    /// Whether the object jumps while the loads are put on with this amount, which was tried.
+    pub(super) fn jumps_with(&self, amount: f64) -> bool {
+        let lists = [self.known.borrow(), self.quick.borrow()];
+        lists.iter().any(|list| list.iter().any(|(at, trials)| *at == amount && trials.jumps))
+    }
+
     /// The amount between a sufficient and an insufficient one at which the first contact at rest changes its state. Each state has margins (of gap,
     /// normal force, friction or slip), and ends where one of them is zero. The margins are extrapolated from `sufficient` and from the nearest
     /// amounts with the same contact states beyond it, on the side away from `insufficient`. `None` if there is no such amount.

@@ -17,6 +17,9 @@ use crate::words::{ALIKE_IN_WORDS, Words, listed, printable};
 impl fmt::Display for Needed {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.amount(f)?;
+        if self.jumps {
+            write!(f, "{LINE}on the way it jumps and is caught; its momentum might carry it farther")?;
+        }
         if matches!(self.amount, Amount::None { .. }) && !self.without_friction.is_empty() {
             let stay = if self.without_friction.len() == 1 { "stays" } else { "stay" };
             write!(f, "{LINE}{} {stay} without friction", listed(&self.without_friction))?;
@@ -74,7 +77,9 @@ impl Needed {
     fn aim(&self) -> &'static str {
         match self.demand {
             Demand::Sticks => "nothing slides",
+            Demand::Held if self.quantity.is_least() && self.jumps => "it holds, counting no momentum,",
             Demand::Held if self.quantity.is_least() => "it holds",
+            Demand::Held if self.jumps => "holds, counting no momentum",
             Demand::Held => "holds",
             Demand::Rests => "it comes to rest however often the load is put on",
             Demand::Stays => "it does not walk however often the load is put on",

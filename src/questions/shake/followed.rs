@@ -41,6 +41,7 @@ impl Engine {
                 ratio: 0.0,
                 opens: Vec::new(),
                 leaks: Vec::new(),
+                jumps: false,
                 yields: Vec::new(),
                 moved: Vec::new(),
                 too_far: None,
@@ -58,6 +59,7 @@ impl Engine {
             places,
             opened: vec![false; slid.len()],
             slid,
+            jumps: false,
             round: PeriodSearch::new(),
             every: 1,
             alike: 0,
@@ -83,6 +85,8 @@ struct FollowedCycles<'g, 's> {
     slid: Vec<bool>,
     /// For each contact or drive, whether it was open in any cycle so far.
     opened: Vec<bool>,
+    /// Whether the object has jumped in any cycle so far.
+    jumps: bool,
     round: PeriodSearch,
     /// The period of the limit cycle, as a number of load cycles.
     every: usize,
@@ -257,6 +261,7 @@ impl<'g> FollowedCycles<'g, '_> {
     fn note(&mut self, cycle: &Cycle) {
         self.slid.iter_mut().enumerate().for_each(|(i, slid)| *slid |= cycle.slides(i));
         self.opened.iter_mut().enumerate().for_each(|(i, opened)| *opened |= cycle.is_open(i));
+        self.jumps |= cycle.record.jumps > 0;
     }
 
     /// The behaviour if the load path ends within cycle number `cycle`, counted from 1 for the cycle that starts at rest: the object is lost, or the
@@ -331,6 +336,7 @@ impl<'g> FollowedCycles<'g, '_> {
             ratio,
             leaks: self.parts(&|i| is_open(i) && self.engine.contacts()[i].suction > 0.0),
             opens: self.parts(&opens),
+            jumps: self.jumps || last.is_some_and(|last| last.record.jumps > 0),
             yields,
             moved,
             too_far: self.too_far.clone(),

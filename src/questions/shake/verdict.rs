@@ -46,6 +46,10 @@ pub struct Shaken<const C: usize> {
     /// The suction cups whose lip is open at some point, so that air flows in, in any cycle that was followed to its end.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub leaks: Vec<WholeContact>,
+    /// Whether the object jumps in a cycle that was followed: it slips under constant load until a contact catches it, or snaps over. Its momentum is
+    /// not counted.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "core::ops::Not::not"))]
+    pub jumps: bool,
     /// The joints and tendons that yield at their limits: in a period, or before the grasp comes to rest.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub yields: Vec<PartLabel>,

@@ -7,7 +7,7 @@ use super::tolerances::CONSTANT_FORCES;
 use super::verdict::{Repeats, Shaken};
 use crate::equilibrium::{AIR_FLOWS_IN, TooFar};
 use crate::grasp::{BodyMotion, PartLabel, WholeContact};
-use crate::hold::{LossVerb, subject_and_verb};
+use crate::hold::{LossVerb, NO_MOMENTUM, subject_and_verb};
 use crate::numerics::mapped;
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::prelude::*;
@@ -32,6 +32,15 @@ impl<const C: usize> fmt::Display for Shaken<C> {
             write!(f, "{}: {}. Otherwise ", LossVerb::from(far), far.reason(Words::of(f)))?;
         }
         self.write_verdict(f)?;
+        let is_told = match &self.repeats {
+            Repeats::Alternates { slides, .. } => {
+                slides.is_empty() && self.slides_and_yields(slides).is_empty()
+            }
+            repeats => matches!(repeats, Repeats::Lost { .. } | Repeats::NoRest { .. }),
+        };
+        if self.jumps && !is_told {
+            write!(f, "; on the way it jumps and is caught, {NO_MOMENTUM}")?;
+        }
         if matches!(self.repeats, Repeats::Walks { .. } | Repeats::Alternates { .. }) {
             write!(f, ". {SLOWLY}")?;
         }
