@@ -214,7 +214,7 @@ fn first_exit(
     }
     first.filter(|FirstContact { exit, .. }| {
         // The next exit, of this or of another contact, must come clearly later: its load factor exceeds that of the first exit by more than the
-        // fraction `NEGLIGIBLE`.
+        // fraction `NEGLIGIBLE` (1e-9). The first exit must also be known to the fraction `LARGEST_CORRECTION` (1e-6) of its load factor.
         let alone =
             next - exit.step > NEGLIGIBLE * exit.step && exit.uncertainty <= LARGEST_CORRECTION * exit.step;
         // If forces grow to more than a million times their size under the base load, their computed rates may be only rounding. Such a case is left
@@ -223,7 +223,7 @@ fn first_exit(
     })
 }
 
-/// Whether the imbalance of contact forces and load is at most the fraction `ACCURATE` of the sum of their norms.
+/// Whether the imbalance of contact forces and load is at most the fraction `ACCURATE` (1e-10) of the sum of their norms.
 fn is_balanced(sites: &[Site], load: &Vector, forces: &[SVector<f64, 3>]) -> bool {
     let Imbalance { left, size } = Imbalance::of(sites, forces, load, load.norm());
     left.norm() <= ACCURATE * size

@@ -135,8 +135,8 @@ impl<'g> StoredPiece<'g> {
                 &self.here.twist * (1.0 - part) + &self.there.twist * part,
             ),
         };
-        // On a straight leg the sizes of force and displacement grow along the piece. While the load turns, they are already the largest over all
-        // angles, so nothing is added.
+        // Rounding errors are proportional to the sizes of force and displacement. On a straight leg these sizes grow along the piece. While the load
+        // turns, they are already the largest over all angles, so nothing is added.
         let step = if self.here.turned.is_some() { 0.0 } else { step };
         let found = SearchSolution {
             free_motions: self.here.free_motions.clone(),

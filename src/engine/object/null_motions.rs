@@ -79,8 +79,8 @@ impl NullMotions {
     }
 
     /// The sum of the left null vectors in `without_response`, each weighted by the work that the load and the spring forces `x` do along it. `None`
-    /// if all these weights are zero. `x` holds the scaled force `s·a` (see `linear_problem`) of each spring that the contact offsets a (commands
-    /// minus clearances and slips) cause at zero twist.
+    /// if all these weights are zero. `x` holds the scaled force of each spring at zero twist, due to the contact offsets a (commands minus
+    /// clearances and slips): `s·a`, with the vector s along which the spring is stretched (see `linear_problem`).
     pub(super) fn motion_of_work(&self, x: &[f64], load: &Vector) -> Option<Vector> {
         let mut sum = Vector::zeros();
         for (z, stretches) in &self.without_response {

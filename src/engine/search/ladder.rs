@@ -161,7 +161,7 @@ fn near_those_of_a_similar_grasp(scene: &ElasticTrial<'_, '_>, log: &mut SearchL
     Attempt::of(equilibrium_by_proposals(scene.problem, &propose, log))
 }
 
-/// Tries combinations of states in which contacts that would pull are open, and all others stick.
+/// Starting from the elastic trial, tries combinations of states in which contacts that would pull are open, and all others stick.
 fn touching_contacts_stick(scene: &ElasticTrial<'_, '_>, _: &mut SearchLog) -> Attempt {
     Attempt::of(touching_contacts(scene.problem, scene.trial_states.clone(), scene.state.clone()))
 }

@@ -199,7 +199,8 @@ fn slip_per_force(springs: &Compliance, trial: &SVector<f64, 3>, traction: f64, 
     // stiffer spring.
     let last = 1e-8;
     let least = if excess >= 1.0 { 0.0 } else { ((excess - 1.0) / soft).max(-(1.0 - last) / stiff) };
-    // Upper bound of the number of Newton steps for λ.
+    // Upper bound of the number of Newton steps for λ; as a rule a few suffice. If λ is nearly zero, rounding may keep its relative change above
+    // `last`, and the bound ends the loop.
     for _ in 0..60 {
         let softened = springs.softened(lambda);
         let (mut square, mut slope) = (0.0, 0.0);

@@ -10,7 +10,8 @@ use crate::error::{Error, LARGEST};
 use crate::grasp::{Contact, Pressure, SoftFingertip};
 
 /// A point of a surface becomes a point of the pad only if its outward unit normal has at least this component along the closing direction. With a
-/// smaller component the surface is nearly parallel to the closing direction and does not press.
+/// smaller component the surface is nearly parallel to the closing direction and hardly presses. If this limit were larger, inclined faces that press
+/// would be left out.
 const TURNED_AWAY: f64 = 0.1;
 
 /// The surface of a jaw or of a fingertip, and its elastic layer.

@@ -151,8 +151,8 @@ impl Slip<3> {
         {
             return self;
         }
-        // The moment about the centroid of the contacts is split in the same ratio as the force. In the plane the lines of both forces then meet on
-        // the line of the whole load.
+        // The moment about the centroid of the contacts is split in the ratio of the components of both forces along the whole force. In the plane
+        // both forces then act through the point of the load's line that is nearest to the centroid.
         let weight = along * -pressed;
         let about = load - Wrench::force_through(&centre, &force);
         let share = weight.dot(&force) / force.norm_squared();
