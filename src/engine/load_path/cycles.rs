@@ -26,7 +26,7 @@ pub(crate) struct Cycles<'g> {
     /// Number of cycles followed so far, including a cycle that the path did not finish.
     completed: usize,
     /// The reason why the theory of small motions ceases to apply: in the first cycle, the first motion beyond its limit, leak of a suction cup, or
-    /// buckling, wherever it occurs. In later cycles only buckling at the end of a cycle is stored here.
+    /// buckling, at any point of the cycle. In later cycles only buckling at the end of a cycle is stored here.
     too_far: Option<TooFar>,
 }
 

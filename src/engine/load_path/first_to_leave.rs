@@ -165,7 +165,7 @@ impl FirstToLeave {
 /// `NEGLIGIBLE` of the size of its terms. If the law keeps a contact open (`Law::Absent`), the conditions of an open contact are tested instead.
 fn clearly_sticks(local: &LocalLaw<'_>, at: &SpringState<'_>) -> bool {
     let mut clear = true;
-    // A condition with a smaller value may be on the edge of the friction cone. Such a case is left to `StickingPath`.
+    // If a condition has a smaller value, the force may be on the edge of the friction cone. Such a case is left to `StickingPath`.
     local.for_each_condition(&local.trial_state(), at, &mut |value, size| clear &= value > NEGLIGIBLE * size);
     clear
 }

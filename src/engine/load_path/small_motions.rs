@@ -116,7 +116,7 @@ impl<'g> StoredPiece<'g> {
         let bracket = [(self.from, -excess(&start)), (self.to, -excess(&at_the_end))];
         let mut which = at_the_end;
         // The root is sought where the largest motion is just at its limit. On an arc each trial repeats the integration step up to the trial
-        // fraction. `which` is the motion that exceeds its limit there.
+        // fraction. `which` is the motion that reaches its limit at the root.
         let place = regula_falsi(bracket, ROUNDED_SUM, &mut |trial| {
             let motion = farthest_at(trial);
             if excess(&motion) >= 0.0 {

@@ -234,8 +234,9 @@ impl<'g> PiecewiseFollower<'g> {
         way
     }
 
-    /// Moves the path to the end `end` of an accepted step from `point`. Edges of cones that contacts reach at this end are added to their active
-    /// sets. Returns whether the leg is complete; an `Err` is a loss of equilibrium at a maximum of the load factor.
+    /// Moves the path to the end `end` of an accepted step from `point`. Edges of cones that contacts reach at this end are added to the active sets
+    /// of these contacts, the conditions that hold with equality. Returns whether the leg is complete; an `Err` is a loss of equilibrium at a maximum
+    /// of the load factor.
     fn finish_step(
         &mut self,
         run: &ProgramRun<'g>,
@@ -333,7 +334,7 @@ fn way_to_nothing((line, state): (&Line, &State)) -> Option<f64> {
     little.then(|| line.force[0] / -line.rate[0])
 }
 
-/// The exit of a contact whose normal force or gap vanishes at the present point of the path.
+/// The exit (where a contact leaves its state) of a contact whose normal force or gap vanishes at the present point of the path.
 fn apex() -> Exit {
     Exit { step: 0.0, uncertainty: 0.0, facet: SVector::zeros() }
 }

@@ -117,8 +117,8 @@ fn sorted_null_vectors(
     for mut q in vectors {
         let mut stretches = vec![0.0; springs.counts.iter().sum()];
         springs.stretch(side, &mut q, |spring, stretch| stretches[spring] = stretch);
-        // A null vector should cause stretches whose forces balance. Rounding of T and its factors leaves a small imbalance, which two corrections
-        // remove.
+        // The forces due to the stretches of a null vector should be in balance. Rounding of T and its factors leaves a small imbalance, which two
+        // corrections remove.
         for _ in 0..2 {
             let mut back = vec![0.0; q.len()];
             springs.add(other, &stretches, &mut back);

@@ -210,8 +210,8 @@ fn everything_yields(scene: &ElasticTrial<'_, '_>, _: &mut SearchLog) -> Attempt
     proof.map_or(Attempt::Nothing, |escape| Attempt::Proof(SearchOutcome::Contradicted { cases: 1, escape }))
 }
 
-/// Searches for a proof with many contacts or coordinates: a motion that separates the load from all admissible contact forces. With many
-/// coordinates an augmented Lagrangian finds it, otherwise it follows from the admissible forces nearest to the load.
+/// Searches for a proof with many contacts or coordinates: a motion that separates the load from all admissible contact forces. With many coordinates
+/// an augmented Lagrangian finds the motion. Otherwise the motion is the residual wrench of the admissible forces nearest to the load.
 fn separating_motion(scene: &ElasticTrial<'_, '_>, _: &mut SearchLog) -> Attempt {
     let motion = proofs::separating_motion(scene.proposing());
     motion.map_or(Attempt::Nothing, |motion| Attempt::Proof(SearchOutcome::Separating(motion)))

@@ -41,8 +41,8 @@ impl ContactResponse {
 }
 
 impl LocalLaw<'_> {
-    /// State and force of the contact at a stretch, m, on the round cone, or on the single facet of [`Law::Edge`]. The iteration for the slip per
-    /// force λ starts at `near`: λ at a nearby stretch, or zero.
+    /// State and force of the contact at a stretch, m. The contact has the round cone, or a force on an edge of its cone ([`Law::Edge`]), which a
+    /// single facet limits. The iteration for the slip per force λ starts at `near`: λ at a nearby stretch, or zero.
     pub(crate) fn answer(&self, stretch: &SVector<f64, 3>, near: f64) -> ContactResponse {
         let mut force = self.springs.force(stretch);
         let sticking = ContactResponse { state: Mode::Sticking, force };

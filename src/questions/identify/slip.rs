@@ -1,5 +1,6 @@
-//! An observed slip: a load or an angle at which the first contact, or the whole object, slid. A layout is one arrangement of the contact points,
-//! with a grasp of its own. The squeeze is all that presses without a load. The scatter of a slip is its relative standard deviation.
+//! An observed slip: a load or an angle at which the first contact, or the whole object, slid. A turn is a load that turns by a growing angle. A
+//! layout is one arrangement of the contact points, with a grasp of its own. The squeeze is all that presses without a load. The scatter of a slip is
+//! its relative standard deviation.
 
 use nalgebra::SVector;
 

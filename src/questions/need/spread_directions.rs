@@ -51,8 +51,9 @@ pub(super) fn spread_out(all: &[[f64; 3]], space: Space) -> Vec<usize> {
     first
 }
 
-/// The indices of directions not yet tried that lie near a direction in which less than [`CLOSE`] times the load is carried. If the object jumps in
-/// some direction, all directions not yet tried: the carried part of the load may then jump from direction to direction.
+/// The indices of directions not yet tried that lie within 1.5 [`APART`], 0.6 rad, of a direction in which less than [`CLOSE`] times the load is
+/// carried. If the object jumps in some direction, all directions not yet tried: the carried part of the load may then jump from direction to
+/// direction.
 pub(super) fn in_between(all: &[[f64; 3]], found: &[Option<DirectionTrial>]) -> Vec<usize> {
     let jumps = found.iter().flatten().any(|trial| trial.jumps > 0);
     let weak = |(k, trial): (usize, &Option<DirectionTrial>)| trial.filter(|t| t.part < CLOSE).map(|_| k);
@@ -69,7 +70,8 @@ pub(super) fn everywhere(all: &[[f64; 3]], found: &[Option<DirectionTrial>]) -> 
     numbered(all.len(), &|k| of(k).unwrap_or(DirectionTrial { part: f64::INFINITY, jumps: 0 }))
 }
 
-/// Half of the angle between neighbouring evenly spread directions, rad.
+/// The first step, rad, of the search for the weakest direction near an evenly spread one: half of the angle between neighbouring evenly spread
+/// directions.
 pub(super) fn first_step(space: Space) -> f64 {
     if space == Space::Planar { 0.5 * TAU / 72.0 } else { 0.125 }
 }

@@ -98,8 +98,8 @@ impl<const C: usize, const N: usize> Fingers<C, N> {
         (Kernels::get().gradient.one)(&self.grasp, &question, &mut gradients.numbers);
     }
 
-    /// The least common factor of all commands with which every contact touches and sticks under each of the loads. Clearances are not scaled. If
-    /// screening has no factor, the verdict says why.
+    /// The least factor on the commands, the same for all, with which every contact touches and sticks under each of the loads. Clearances are not
+    /// scaled. If screening has no factor, the verdict says why.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Fingers, LoadCases, Wrench};
