@@ -68,7 +68,7 @@ pub(super) enum WhileTurning {
 }
 
 /// The first contact that stops sticking while the load turns by up to `turn.angle`, or [`WhileTurning::Never`]. `inside` is the load as a function
-/// of the angle. `None` if the simple case of this file does not apply, or if a force touches the edge of its friction cone.
+/// of the angle. `None` if the simple case of this file does not apply, or if a force touches the edge of its friction cone without leaving the cone.
 pub(super) fn first_to_leave_on_turn(
     segment: &Segment<'_>,
     turn: &Turn<3>,
@@ -170,8 +170,8 @@ fn clearly_sticks(local: &LocalLaw<'_>, at: &SpringState<'_>) -> bool {
     clear
 }
 
-/// The contact that reaches the edge of its cone before all others, with this edge and the load factor at which it reaches it. `line` is the
-/// contact's force as an affine function of the load factor.
+/// The contact whose force reaches the edge of its cone before all others, with this edge and the load factor at which the force reaches the edge.
+/// `line` is the contact's force as an affine function of the load factor.
 struct FirstContact {
     contact: usize,
     exit: Exit,

@@ -85,7 +85,7 @@ impl<'g> StoredPiece<'g> {
         Some(self.answer(grasp, answer_for, fraction, &problem, found))
     }
 
-    /// The equilibrium at the end of this piece, with the contact states along the piece. The event there lists the changes of these states.
+    /// The equilibrium at the end of this piece, with the contact states along the piece. The event at this end lists the changes of these states.
     /// `None` if the equilibrium cannot be computed.
     pub(super) fn state_before_event(
         &self,

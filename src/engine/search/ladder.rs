@@ -168,7 +168,7 @@ fn touching_contacts_stick(scene: &ElasticTrial<'_, '_>, _: &mut SearchLog) -> A
 
 /// Newton's method for the motion of the object, of which each contact force is a function. On polygons it starts at the elastic trial only. On round
 /// cones it has three starts, one after the other: with few contacts, points of the relaxation (`object/relaxing`); then the elastic trial; last the
-/// twist from Tresca friction.
+/// twist from Tresca friction, whose limits do not depend on the normal forces.
 fn newton(scene: &ElasticTrial<'_, '_>, log: &mut SearchLog) -> Attempt {
     if !has_round_cones(scene.problem) {
         let propose = |problem: &Problem, _: &mut SearchLog| {
@@ -202,9 +202,9 @@ fn where_it_relaxes_to(scene: &ElasticTrial<'_, '_>) -> Option<SearchSolution> {
     another
 }
 
-/// Searches for a proof that a rate problem (for derivatives along a load path) has no solution, as at a limit load. The proof is a motion along
-/// which the rate of the load does work. If every contact on the edge of its cone slides, no contact resists this motion; in all other states the
-/// contacts do not resist it more.
+/// Searches for a proof that a rate problem (for derivatives along a load path) has no solution, as at a limit load. The proof is a virtual motion
+/// along which the rate of the load does work, while the contacts do none if all slide or open that may do so. In no other contact states do the
+/// contacts do more negative work along this motion.
 fn everything_yields(scene: &ElasticTrial<'_, '_>, _: &mut SearchLog) -> Attempt {
     let proof = proofs::yields(scene.problem);
     proof.map_or(Attempt::Nothing, |escape| Attempt::Proof(SearchOutcome::Contradicted { cases: 1, escape }))
