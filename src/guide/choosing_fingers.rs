@@ -13,10 +13,11 @@
 //! ```
 //!
 //! If the jaws were level, the jaw nearer to the weight would slide first. With the weight e = 10 mm aside and one jaw higher by `2 μ e`, the couple
-//! of the normal forces N balances it. Each jaw then carries half of the weight, up to a weight of `2 μ N`, at which the friction of both jaws is
-//! used up. `grasp-lcp draw pinch.json` draws the grasp before and after.
+//! of the normal forces N balances the moment of the weight. Each jaw then carries half of the weight, up to a weight of `2 μ N`, at which the
+//! friction of both jaws is used up. `grasp-lcp draw pinch.json` draws the grasp before and after.
 //!
-//! `pressed_with` 10 N is what the scene of this grasp says. The object gives way to it, so that at rest the jaws press with less.
+//! `pressed_with` 10 N is given in the scene: the force of a jaw on an object that is held in place. The object gives way to the jaws, so that at
+//! rest they press with less.
 //!
 //! # Three fingers hold a disc. Where should they be against a force of any direction?
 //!

@@ -20,7 +20,8 @@ use crate::numerics::{IntoList, chosen, increasing, mapped, matrix_of, vector_of
 use crate::prelude::*;
 use nalgebra::{DMatrix, DVector};
 
-/// True if a proof is found for each of the 2ⁿ complementary bases that no solution belongs to the basis. n must be small.
+/// True if, for each of the 2ⁿ complementary bases, a proof is found that no solution belongs to the basis. The caller keeps n to at most 20, since
+/// the time doubles with each row.
 pub(super) fn every_basis(lcp: &Lcp, scaling: &Scaling, settings: &Settings) -> bool {
     let n = lcp.len();
     let (m, q) = scaling.balanced(&lcp.m, &lcp.q);
@@ -92,8 +93,8 @@ impl ExclusionTest<'_> {
     }
 
     /// Whether a dual solution of a linear program, taken as the vector v of the proof, excludes the basis α. The program minimises the largest
-    /// violation of the conditions z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0. For each margin δ in [`MARGINS`], the constraints of the dual program
-    /// are tightened by δ, which gives one dual solution.
+    /// violation of the conditions z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0. The dual program is solved once for each margin δ in [`MARGINS`] (0 to
+    /// 1e-3), with its constraints tightened by δ. With δ > 0 the dual solution satisfies the constraints in spite of rounding.
     fn by_linear_program(&self, alpha: &[usize]) -> bool {
         let program = |margin| linear_program::of_piece((&self.m, &self.q), alpha, margin, self.settings);
         MARGINS.into_iter().filter_map(program).any(|program| self.proves(alpha, &program.y))

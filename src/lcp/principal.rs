@@ -23,8 +23,8 @@ pub(super) fn solve_block(mut block: DMatrix<f64>, rhs: &DVector<f64>) -> Option
         return Some(DVector::zeros(0));
     }
     let mut scaling = Scaling::default();
-    // The block is balanced with a right-hand side of zeros, which has no influence. The given right-hand side would move the entries of the balanced
-    // block away from 1.
+    // The block is balanced: rows and columns are scaled so that its entries lie near 1. A right-hand side of zeros has no influence on this scaling;
+    // the given one would move the entries of the block away from 1.
     scaling.balance(size, block.as_slice(), &vec![0.0; size]);
     for j in 0..size {
         for i in 0..size {

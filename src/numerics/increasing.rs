@@ -14,8 +14,8 @@ pub(crate) fn increasing(values: &[f64]) -> Vec<usize> {
 pub(crate) fn sort_by_number<T>(list: &mut [T], number: &dyn Fn(&T) -> f64) {
     let order = increasing(&mapped(list, number));
     for place in 0..order.len() {
-        // Finds where the element of this place is now. An element that was at an earlier place has been swapped away, along the cycle of the
-        // permutation.
+        // Finds the present position `from` of the element that belongs at `place`. If it came from an earlier position, it has been swapped away
+        // from there, along the cycle of the permutation.
         let mut from = order[place];
         while from < place {
             from = order[from];

@@ -91,8 +91,9 @@ impl<Tag: Copy + PartialEq> NearestPoint<Tag> {
         let (before, w) = self.q.split_at_mut(from);
         let column = &mut self.r[from..to];
         let mut length = 1.0;
-        // If a subtraction shortens the remainder more than tenfold, cancellation costs digits, and the projection is subtracted again. Twice is
-        // enough for an independent generator; three times is the limit for a dependent one.
+        // The projection of the generator onto the active generators is subtracted from it. If this shortens the generator more than tenfold,
+        // cancellation has cost digits, and the projection of what is left is subtracted again. Two subtractions suffice for an independent
+        // generator. What is left of a dependent generator is only rounding; the third subtraction is the last.
         for _ in 0..3 {
             for (entry, q) in column.iter_mut().zip(before.chunks_exact(m)) {
                 let h = dot(q, w);

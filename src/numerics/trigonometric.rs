@@ -103,8 +103,8 @@ impl Trigonometric {
             let divided = if quarter == 0 { roots_here } else { 0 };
             p[..divided].fill(0.0);
             p.rotate_left(divided);
-            // After division by the roots at φ = 0, values near φ = 0 have no rounding error larger than themselves. No nonzero value then
-            // counts as zero.
+            // The polynomial has been divided by the powers of t for its roots at φ = 0. Near φ = 0 its values then have no rounding error larger
+            // than themselves, so no nonzero value counts as zero.
             match fall_of(&p, end, if divided > 0 { 0.0 } else { rounding }) {
                 Some(FirstZero::At(t)) => return Some(FirstZero::At(begin + 2.0 * t.atan())),
                 Some(FirstZero::Touches(t)) => {

@@ -11,7 +11,7 @@ use super::numbers::{Kind, Number, NumberVisitor};
 use super::text_space::space_of_text;
 use crate::numerics::Space;
 
-/// A list of at most `MOST` numbers; a single number is read as a list of one.
+/// A list of at most `MOST` numbers; a single number is read as a list of one. K is the [`Kind`] of the numbers, which determines the allowed values.
 pub(crate) struct ShortList<K, const MOST: usize> {
     pub(crate) values: [f64; MOST],
     pub(crate) count: usize,
@@ -47,8 +47,8 @@ impl<'de, K: Kind, const MOST: usize> Deserialize<'de> for ShortList<K, MOST> {
 }
 
 impl<K: Kind, const MOST: usize> ShortList<K, MOST> {
-    /// Reads a list and converts it to a `T`. An error of the conversion is returned before the deserializer has left the list; the format then adds
-    /// the position of the list's end.
+    /// Reads a list and converts it to a `T`. If the conversion fails, its error is returned before the deserializer has left the list. The parser of
+    /// the format then adds to the message the position of the end of this list.
     pub(crate) fn read<'de, D: Deserializer<'de>, T>(
         deserializer: D,
         make: fn(&[f64]) -> Result<T, String>,
@@ -102,7 +102,8 @@ impl<'de, K: Kind, T, const MOST: usize> Visitor<'de> for FewVisitor<K, T, MOST>
     }
 }
 
-/// A row of a text with one number for each axis, two in the plane and three in space.
+/// A row of a text with one number for each axis, two in the plane and three in space. K is the [`Kind`] of the numbers, which determines the allowed
+/// values.
 pub(crate) struct AxisRow<K, const C: usize>(pub(crate) SVector<f64, C>, PhantomData<K>);
 
 impl<K, const C: usize> AxisRow<K, C> {

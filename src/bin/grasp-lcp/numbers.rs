@@ -95,7 +95,7 @@ pub(crate) fn times(text: &str) -> Result<f64, String> {
     within(text, f64::MIN_POSITIVE..=1e6, "how many times, above 0, at most 1e6, such as 2")
 }
 
-/// Parses the number of standard deviations by which uncertain data may deviate before a contact slides under the force of a map.
+/// Parses the number of standard deviations by which uncertain data may deviate before a contact slides, for the map of forces in all directions.
 pub(crate) fn deviations(text: &str) -> Result<f64, String> {
     within(text, f64::MIN_POSITIVE..=8.0, "a number of standard deviations, above 0, at most 8")
 }

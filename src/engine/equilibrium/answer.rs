@@ -76,8 +76,9 @@ pub struct Equilibrium<const C: usize> {
     pub body_loads: Vec<BodyLoad<C>>,
     /// The motion that is farthest beyond [small motions](crate::Settings::small_motions). The theory keeps contact points and normals fixed, so such
     /// an answer satisfies all conditions but says little about the object. For example, a wedge with a taper of only 1e-9 rad holds any load in the
-    /// theory, since the object may move any distance. [`TooFar::Buckles`] if the grasp buckles under these forces, which is known if the points of
-    /// action of the load are; [`TooFar::Leaks`] if a suction cup leaks. `None` if all motions are small and the grasp is not known to buckle.
+    /// theory, since the object may move any distance. [`TooFar::Buckles`] if the grasp buckles under these forces; this is known only if the points
+    /// of action of the load are known. [`TooFar::Leaks`] if a suction cup leaks. `None` if all motions are small and the grasp is not known to
+    /// buckle.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub too_far: Option<TooFar>,
     /// The contacts, in the order of the grasp; each point of a soft fingertip is one contact.

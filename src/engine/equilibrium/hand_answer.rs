@@ -29,8 +29,9 @@ pub struct JointAnswer {
     /// Displacement φ of the joint from the posture in which the contacts were given, rad or m.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub displacement: f64,
-    /// Torque of all drives on the joint along φ – its own, couplings, tendons, and constant torques – N m or N. This torque balances the contact
-    /// forces F and the external torque τ_ext on the joint: `τ = Σ Jᵀ F - τ_ext` with the Jacobians J of the contacts.
+    /// Torque on the joint along its displacement φ, N m or N: the sum of the torques of its own drive, of couplings with other joints, of tendons,
+    /// and of constant torques. This torque balances the contact forces F and the external torque τ_ext on the joint: `τ = Σ Jᵀ F - τ_ext` with the
+    /// Jacobians J of the contacts.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub torque: f64,
     /// Torque of the joint's own drive, without constant torques, N m or N; zero without a drive.
@@ -168,8 +169,8 @@ fn margin(named: &NamedPart, carried: f64, state: DriveState) -> f64 {
     }
 }
 
-/// State of a drive, and the displacement by which it has yielded: a number in m, as the engine treats the drive like a contact;
-/// `Drive::displacement` converts it to rad for a revolute joint. While the drive holds, this displacement is only the earlier slip of a clutch.
+/// State of a drive, and the displacement by which it has yielded. The displacement is in m also for a revolute joint, since the engine treats drives
+/// like contacts; `Drive::displacement` converts it to rad. While the drive holds, this displacement is only the earlier slip of a clutch.
 fn drive_state(
     drive: &Drive,
     state: &State,

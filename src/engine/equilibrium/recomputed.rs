@@ -112,7 +112,7 @@ impl Engine {
             let own = problem.offsets[i].norm() + contact.clearance.abs() + give;
             let moved =
                 translated.norm() + turned * contact.point.norm() + self.displacement_by_joints(i, twist).1;
-            // Residuals are divided by sizes (N or m) of at least `SMALLEST`: products of subnormal numbers have no relative precision.
+            // Residuals are divided by sizes (N or m) of at least `SMALLEST` (1e-250): products of subnormal numbers have no relative precision.
             (own + moved + answers[i].gap.abs() + slip(i).norm()).max(displacement_terms).max(SMALLEST)
         });
         for (k, site_answer) in of_drives.iter().enumerate() {

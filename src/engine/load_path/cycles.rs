@@ -26,7 +26,7 @@ pub(crate) struct Cycles<'g> {
     /// Number of cycles followed so far, including a cycle that the path did not finish.
     completed: usize,
     /// The reason why the theory of small motions ceases to apply: in the first cycle, the first motion beyond its limit, leak of a suction cup, or
-    /// buckling, wherever it occurs. In later cycles only buckling at the end of a cycle is stored here.
+    /// buckling, at any point of the cycle. In later cycles only buckling at the end of a cycle is stored here.
     too_far: Option<TooFar>,
 }
 
@@ -106,14 +106,14 @@ impl<'g> Cycles<'g> {
         settings: &Settings,
     ) -> Result<Self, Error> {
         let path = Following::start(grasp, (base, legs), settings, PiecewiseFollower::at_start)?;
-        // A cycle of legs is closed if it ends with its initial loads and commands, up to the fraction `SOLVED_ROUNDING` of their largest values
-        // along the cycle.
+        // A cycle of legs is closed if it ends with its initial loads and commands, up to the fraction `SOLVED_ROUNDING` (1e-12) of their largest
+        // values along the cycle.
         path.run.program.check_closed(SOLVED_ROUNDING)?;
         Ok(Self { path, legs: legs.to_vec(), base: *base, completed: 0, too_far: None })
     }
 
-    /// The same cycle of legs, not followed yet, which starts from the state `from`. `None` if `from` is no equilibrium of the grasp: a contact
-    /// would slide at once, or the equilibrium with the slips of `from` has other forces.
+    /// The same cycle of legs, not followed yet, which starts from the state `from`. `None` if `from` is no equilibrium of the grasp: a contact would
+    /// slide at once, or the equilibrium with the slips of `from` has forces that differ from the forces of `from`.
     pub(crate) fn beginning_at(&self, from: &CycleState, settings: &Settings) -> Option<Self> {
         let grasp = self.path.run.grasp;
         let largest = largest(&from.forces, &Matrix::norm);
@@ -124,7 +124,7 @@ impl<'g> Cycles<'g> {
             slipped.cones = from.cones(grasp);
             // If a contact would have to slide at once, `from` is no equilibrium with these slips, and no search is needed.
             let slides = |(i, force): (usize, &SVector<f64, 3>)| {
-                // A contact slides if a condition of sticking is violated by more than the fraction `NEGLIGIBLE` of the largest force.
+                // A contact slides if a condition of sticking is violated by more than the fraction `NEGLIGIBLE` (1e-9) of the largest force.
                 slipped
                     .local(i)
                     .edges(&Mode::Sticking)

@@ -52,6 +52,7 @@ impl<const C: usize> fmt::Display for Change<C> {
 
 impl<const C: usize> DepartingContact<C> {
     /// The verb for how the contact stops sticking: "slides", "opens" (or another verb for a link, such as "goes slack"), or "would have to pull".
+    /// The last is the verb of a contact that is kept closed and whose normal force has fallen to zero.
     #[must_use]
     pub fn verb(&self) -> &'static str {
         match self.how {
@@ -62,7 +63,7 @@ impl<const C: usize> DepartingContact<C> {
 }
 
 impl<const C: usize> Departure<C> {
-    /// The verb for how the contact stops sticking: "slides", "opens" or "would have to pull".
+    /// The verb for how the contact stops sticking: "slides", "opens" or, if it is kept closed, "would have to pull".
     #[must_use]
     pub fn verb(&self) -> &'static str {
         match self {

@@ -68,7 +68,7 @@ pub(super) enum WhileTurning {
 }
 
 /// The first contact that stops sticking while the load turns by up to `turn.angle`, or [`WhileTurning::Never`]. `inside` is the load as a function
-/// of the angle. `None` if the simple case of this file does not apply, or if a force touches the edge of its friction cone.
+/// of the angle. `None` if the simple case of this file does not apply, or if a force touches the edge of its friction cone without leaving the cone.
 pub(super) fn first_to_leave_on_turn(
     segment: &Segment<'_>,
     turn: &Turn<3>,
@@ -165,13 +165,13 @@ impl FirstToLeave {
 /// `NEGLIGIBLE` of the size of its terms. If the law keeps a contact open (`Law::Absent`), the conditions of an open contact are tested instead.
 fn clearly_sticks(local: &LocalLaw<'_>, at: &SpringState<'_>) -> bool {
     let mut clear = true;
-    // A condition with a smaller value may be on the edge of the friction cone. Such a case is left to `StickingPath`.
+    // If a condition has a smaller value, the force may be on the edge of the friction cone. Such a case is left to `StickingPath`.
     local.for_each_condition(&local.trial_state(), at, &mut |value, size| clear &= value > NEGLIGIBLE * size);
     clear
 }
 
-/// The contact that reaches the edge of its cone before all others, with this edge and the load factor at which it reaches it. `line` is the
-/// contact's force as an affine function of the load factor.
+/// The contact whose force reaches the edge of its cone before all others, with this edge and the load factor at which the force reaches the edge.
+/// `line` is the contact's force as an affine function of the load factor.
 struct FirstContact {
     contact: usize,
     exit: Exit,
@@ -214,7 +214,7 @@ fn first_exit(
     }
     first.filter(|FirstContact { exit, .. }| {
         // The next exit, of this or of another contact, must come clearly later: its load factor exceeds that of the first exit by more than the
-        // fraction `NEGLIGIBLE`.
+        // fraction `NEGLIGIBLE` (1e-9). The first exit must also be known to the fraction `LARGEST_CORRECTION` (1e-6) of its load factor.
         let alone =
             next - exit.step > NEGLIGIBLE * exit.step && exit.uncertainty <= LARGEST_CORRECTION * exit.step;
         // If forces grow to more than a million times their size under the base load, their computed rates may be only rounding. Such a case is left
@@ -223,7 +223,7 @@ fn first_exit(
     })
 }
 
-/// Whether the imbalance of contact forces and load is at most the fraction `ACCURATE` of the sum of their norms.
+/// Whether the imbalance of contact forces and load is at most the fraction `ACCURATE` (1e-10) of the sum of their norms.
 fn is_balanced(sites: &[Site], load: &Vector, forces: &[SVector<f64, 3>]) -> bool {
     let Imbalance { left, size } = Imbalance::of(sites, forces, load, load.norm());
     left.norm() <= ACCURATE * size

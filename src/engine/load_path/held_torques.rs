@@ -12,7 +12,8 @@ use crate::prelude::*;
 
 impl<const C: usize> Leg<C> {
     /// A leg along which the torques that hold the joints of a hand change by `change`, one number for each joint: N m, or N for a prismatic joint.
-    /// After the joints comes one number, N, for the slide of each contact that is [held by a force](crate::grasp::Contact::force).
+    /// After the joints comes one number, N, for each contact with a given [constant force](crate::grasp::Contact::force): the change of this force.
+    /// Inside the crate such a contact is moved by a prismatic joint of its own.
     ///
     /// ```
     /// use grasp_lcp::planar::hand::{Finger, Hand, Joint};

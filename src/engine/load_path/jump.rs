@@ -82,7 +82,8 @@ impl<const C: usize> fmt::Display for Jump<C> {
             reached.dedup();
             let (moved, words) = (all_inside(&self.moved), words.in_space(words.space::<C>()));
             let farthest = largest(&moved, &BodyMotion::speed);
-            // A body is not named in the sentence if it moves by less than this fraction of the largest motion.
+            // A body is not named in the sentence if it moves by less than this fraction of the largest motion: its motion is rounding, or too small
+            // to matter.
             let moved =
                 picked(&moved, &|body| (body.speed() > 1e-6 * farthest).then(|| words.body_motion(body)));
             return write!(f, "{} to {}", listed(&moved), listed(&reached));

@@ -1,5 +1,5 @@
 //! The point of a load path where a motion exceeds its limit of small motions, and the point from which on all contacts slide. A leg is a section of
-//! the load program. A piece is a part of it on which all contacts keep their states.
+//! the load program. A piece is a part of a leg on which all contacts keep their states.
 //!
 //! While contacts keep their states, rotations, slips and gaps are affine in the fraction of the leg. Their largest value is then at an end of the
 //! piece. While the load turns, they are harmonics of its angle, and the first point beyond a limit is a root of a trigonometric polynomial.
@@ -20,8 +20,8 @@ use crate::search::SmallMotions;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 
-/// The point of a load path where motions cease to be [small](crate::Settings::small_motions), a suction cup leaks, or the grasp buckles. Beyond
-/// it, answers are those for the undeformed geometry and kept vacuums, and say little about the object.
+/// The point of a load path where motions cease to be [small](crate::Settings::small_motions), a suction cup leaks, or the grasp buckles. Beyond it,
+/// answers still assume the undeformed geometry and cups that keep their vacuum, and say little about the real object.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -78,8 +78,9 @@ impl<'g> PiecewiseFollower<'g> {
         self.end_of_small_motions = found.and_then(end);
     }
 
-    /// The place from which on, up to the place `until`, every contact with friction that presses slides. A place is a leg (from 0) and the fraction
-    /// of it that is done. The result is the beginning of a stored piece of the path. `None` if such a contact sticks just before `until`.
+    /// The place from which on, up to the place `until`, every contact slides that has friction and carries a force. A place is a leg (from 0) and
+    /// the fraction of it that is done. The result is the beginning of a stored piece of the path. `None` if one of these contacts sticks just before
+    /// `until`.
     pub(super) fn pieces_all_slide_from(&self, until: (usize, f64)) -> Option<(usize, f64)> {
         let mut since = None;
         for piece in self.behind.iter().rev() {
@@ -115,7 +116,7 @@ impl<'g> StoredPiece<'g> {
         let bracket = [(self.from, -excess(&start)), (self.to, -excess(&at_the_end))];
         let mut which = at_the_end;
         // The root is sought where the largest motion is just at its limit. On an arc each trial repeats the integration step up to the trial
-        // fraction. `which` is the motion that exceeds its limit there.
+        // fraction. `which` is the motion that reaches its limit at the root.
         let place = regula_falsi(bracket, ROUNDED_SUM, &mut |trial| {
             let motion = farthest_at(trial);
             if excess(&motion) >= 0.0 {

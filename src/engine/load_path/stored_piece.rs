@@ -85,7 +85,7 @@ impl<'g> StoredPiece<'g> {
         Some(self.answer(grasp, answer_for, fraction, &problem, found))
     }
 
-    /// The equilibrium at the end of this piece, with the contact states along the piece. The event there lists the changes of these states.
+    /// The equilibrium at the end of this piece, with the contact states along the piece. The event at this end lists the changes of these states.
     /// `None` if the equilibrium cannot be computed.
     pub(super) fn state_before_event(
         &self,
@@ -135,8 +135,8 @@ impl<'g> StoredPiece<'g> {
                 &self.here.twist * (1.0 - part) + &self.there.twist * part,
             ),
         };
-        // On a straight leg the sizes of force and displacement grow along the piece. While the load turns, they are already the largest over all
-        // angles, so nothing is added.
+        // Rounding errors are proportional to the sizes of force and displacement. On a straight leg these sizes grow along the piece. While the load
+        // turns, they are already the largest over all angles, so nothing is added.
         let step = if self.here.turned.is_some() { 0.0 } else { step };
         let found = SearchSolution {
             free_motions: self.here.free_motions.clone(),

@@ -117,7 +117,7 @@ impl<'g> PiecewiseFollower<'g> {
             let dip = is_straight
                 .then(|| first_dip(&self.segment, &self.node.states, ends, (end.length, tolerance)))
                 .flatten();
-            // A step within which a condition of a contact state may be violated is shortened at most twenty times.
+            // A step within which a condition of a contact state may be violated is shortened. After twenty shortenings the step is made as it is.
             let Some(part) = dip.filter(|_| looks < 20) else { return Some(end) };
             looks += 1;
             end = self.step(point, (part * end.length, 0), end.rule)?;
@@ -132,7 +132,8 @@ impl<'g> PiecewiseFollower<'g> {
         is_here && contacts.iter().any(|contact| self.neither_sticks_nor_slides(*contact, tolerance))
     }
 
-    /// Whether events that are close together may now be treated as one event. This is done at most once at the same load factor.
+    /// Whether forces nearly on the edge of their cones may now be treated as on the edge, and nearly closed gaps as closed. Events that are close
+    /// together then happen at one point of the path. This is done at most once at the same load factor.
     fn may_gather(&self) -> bool {
         self.gathered.is_nan() || (self.factor - self.gathered).abs() > NEGLIGIBLE
     }
@@ -184,14 +185,15 @@ impl<'g> PiecewiseFollower<'g> {
     fn straight_length(&self, point: &PathPoint) -> Option<f64> {
         let rest = (1.0 - self.factor) / point.factor_rate;
         let last = point.lines.iter().zip(&self.node.states).filter_map(way_to_nothing);
-        // A normal force vanishes within the leg or a little beyond its end. If beyond, the step ends with the leg: a further step from before the
-        // end would begin with a force that counts as zero already.
+        // A normal force that is almost zero vanishes within the leg, or beyond its end by less than the rest of the leg. If beyond, one straight
+        // step to the end of the leg is made. A step of the integration might stop short of the end, and the normal force at the beginning of the
+        // next step would count as zero.
         if let Some(way) = last.reduce(f64::min).filter(|way| *way < 2.0 * rest) {
             return Some(way.min(rest));
         }
         let force_way = point.sizes[0] / point.rate_sizes[0];
-        // `force_way` is the arclength along which forces change by their own size. If it is this small a fraction of the rest of the leg, all forces
-        // are rounding errors, and it means nothing.
+        // `force_way` is the arclength along which forces change by their own size. If it is at most 1e-12 (`SOLVED_ROUNDING`) of the rest of the
+        // leg, all forces are rounding errors. The rest of the leg is then used in its place.
         let way = if force_way > SOLVED_ROUNDING * rest { rest.min(force_way) } else { rest };
         // The first step from the apex of a cone is 1e-6 of the length along which forces change by their own size. The direction of friction is
         // taken as constant in this step, with an error of about the square of 1e-6.
@@ -206,7 +208,8 @@ impl<'g> PiecewiseFollower<'g> {
             let touches = ActiveSet::is_weightless(f, line.force_size);
             if state.slides() && !touches {
                 let turn = (f[1] * df[2] - f[2] * df[1]).abs() / (f[1] * f[1] + f[2] * f[2]);
-                // Along the first step no direction of friction turns by more than this angle (rad), at its initial rate.
+                // Along the first step no direction of friction turns by more than this angle (rad), at its initial rate. Longer first steps would
+                // have too large an error and be refused; shorter ones would cost additional steps.
                 let first_turn = 0.3;
                 if turn.is_finite() && turn * length > first_turn {
                     length = first_turn / turn;
@@ -231,8 +234,9 @@ impl<'g> PiecewiseFollower<'g> {
         way
     }
 
-    /// Moves the path to the end `end` of an accepted step from `point`. Edges of cones that contacts reach at this end are added to their active
-    /// sets. Returns whether the leg is complete; an `Err` is a loss of equilibrium at a maximum of the load factor.
+    /// Moves the path to the end `end` of an accepted step from `point`. Edges of cones that contacts reach at this end are added to the active sets
+    /// of these contacts, the conditions that hold with equality. Returns whether the leg is complete; an `Err` is a loss of equilibrium at a maximum
+    /// of the load factor.
     fn finish_step(
         &mut self,
         run: &ProgramRun<'g>,
@@ -287,7 +291,7 @@ impl<'g> PiecewiseFollower<'g> {
         self.take_step(run, point, (end.length, end.rule), &end.reached);
         self.node.add_exits(self.segment.problem.space().axes(), &at_edge);
         // If no other event happens at this point, the contacts whose slip has ended stick. Otherwise contacts that did not slip at all in the step
-        // are left out: the solution for the rates at that event determines their states.
+        // are left out: the solution for the rates at the other event determines their states.
         for contact in sticks.iter().filter(|contact| at_edge.is_empty() || !idle.contains(contact)) {
             self.node.stick(*contact);
         }
@@ -324,12 +328,13 @@ impl<'g> PiecewiseFollower<'g> {
 /// vanishes. `None` for any other contact.
 fn way_to_nothing((line, state): (&Line, &State)) -> Option<f64> {
     let falls = state.slides() && line.rate[0] < -ZERO_SLACK * line.rate_size;
-    // A decreasing normal force is followed to zero along the tangent once it is below this fraction of the terms whose sum it is.
+    // Once a decreasing normal force is below this fraction of the terms whose sum it is, it is followed to zero along the tangent: it no longer
+    // determines the direction of friction, which further integration would need.
     let little = falls && line.force[0] > 0.0 && line.force[0] <= 1e-10 * line.force_size;
     little.then(|| line.force[0] / -line.rate[0])
 }
 
-/// The exit of a contact whose normal force or gap vanishes at the present point of the path.
+/// The exit (where a contact leaves its state) of a contact whose normal force or gap vanishes at the present point of the path.
 fn apex() -> Exit {
     Exit { step: 0.0, uncertainty: 0.0, facet: SVector::zeros() }
 }

@@ -58,13 +58,14 @@ impl ConditionValue {
     }
 }
 
-/// Whether the normal force of a sliding contact is at most the fraction `VANISHING_NORMAL` of the terms whose sum it is, and still decreases.
+/// Whether the normal force of a sliding contact is at most the fraction `VANISHING_NORMAL` (1e-7) of the terms whose sum it is, and still decreases.
+/// Such a force no longer determines the direction of friction.
 pub(super) fn is_vanishing(line: &Line) -> bool {
     line.rate[0] < 0.0 && line.force[0] <= VANISHING_NORMAL * line.force_size
 }
 
-/// Whether the normal force of a sliding contact is negative by at most the fraction `VANISHING_NORMAL` of the terms whose sum it is. If so, the
-/// direction of friction was not accurate enough for the last step to end where the normal force vanishes.
+/// Whether the normal force of a sliding contact is negative by at most the fraction `VANISHING_NORMAL` (1e-7) of the terms whose sum it is. If so,
+/// the direction of friction was not accurate enough for the last step to end where the normal force vanishes.
 pub(super) fn has_vanished(line: &Line) -> bool {
     line.force[0] < 0.0 && line.force[0] >= -VANISHING_NORMAL * line.force_size
 }

@@ -79,8 +79,8 @@ impl NullMotions {
     }
 
     /// The sum of the left null vectors in `without_response`, each weighted by the work that the load and the spring forces `x` do along it. `None`
-    /// if all these weights are zero. `x` holds the scaled force `s·a` (see `linear_problem`) of each spring that the contact offsets a (commands
-    /// minus clearances and slips) cause at zero twist.
+    /// if all these weights are zero. `x` holds the scaled force of each spring at zero twist, due to the contact offsets a (commands minus
+    /// clearances and slips): `s·a`, with the vector s along which the spring is stretched (see `linear_problem`).
     pub(super) fn motion_of_work(&self, x: &[f64], load: &Vector) -> Option<Vector> {
         let mut sum = Vector::zeros();
         for (z, stretches) in &self.without_response {
@@ -117,8 +117,8 @@ fn sorted_null_vectors(
     for mut q in vectors {
         let mut stretches = vec![0.0; springs.counts.iter().sum()];
         springs.stretch(side, &mut q, |spring, stretch| stretches[spring] = stretch);
-        // A null vector should cause stretches whose forces balance. Rounding of T and its factors leaves a small imbalance, which two corrections
-        // remove.
+        // The forces due to the stretches of a null vector should be in balance. Rounding of T and its factors leaves a small imbalance, which two
+        // corrections remove.
         for _ in 0..2 {
             let mut back = vec![0.0; q.len()];
             springs.add(other, &stretches, &mut back);

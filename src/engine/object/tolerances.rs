@@ -10,8 +10,9 @@
 pub(super) const NO_WORK: f64 = 1e-13;
 
 /// Forces below this fraction of the force that the displacements could cause in the springs are rounding. If commands alone move a statically
-/// determinate grasp, its exact contact forces are zero. Computed forces are then about 1e-45 of that spring force, since each of three projections
-/// leaves about 1e-15 of it. With this lower bound of the size of forces, such rounding errors are not compared with each other.
+/// determinate grasp, its exact contact forces are zero. Computed forces are then about 1e-45 of that spring force: it is projected three times onto
+/// forces in balance, and each projection leaves a fraction of about 1e-15. With this lower bound of the size of forces, such rounding errors are not
+/// compared with each other.
 ///
 /// If smaller, rounding errors are taken as forces; if larger, small forces are taken as zero if displacements are large.
 pub(crate) const NO_FORCE: f64 = 1e-25;
@@ -27,8 +28,8 @@ pub(super) const NEARLY_CORRECTED: f64 = 1e-8;
 /// computed force by a factor of about 1e-16. This limit then ends the refinement.
 pub(super) const MOST_CORRECTIONS: usize = 4;
 
-/// Upper limit of the number of steps of the relaxation in `relaxing`, from the stuck grasp towards an equilibrium; as a rule ten to thirty
-/// steps are made. With fewer steps, Newton's method may return to an unstable equilibrium that the relaxation has passed.
+/// Upper limit of the number of steps of the relaxation in `relaxing`, from the position in which everything sticks towards an equilibrium; as a rule
+/// ten to thirty steps are made. With fewer steps, Newton's method may return to an unstable equilibrium that the relaxation has passed.
 pub(super) const RELAXING_STEPS: usize = 300;
 
 /// The object has nearly relaxed once its estimated remaining displacement is below this fraction of its displacement from the position at which

@@ -161,14 +161,14 @@ fn near_those_of_a_similar_grasp(scene: &ElasticTrial<'_, '_>, log: &mut SearchL
     Attempt::of(equilibrium_by_proposals(scene.problem, &propose, log))
 }
 
-/// Tries combinations of states in which contacts that would pull are open, and all others stick.
+/// Starting from the elastic trial, tries combinations of states in which contacts that would pull are open, and all others stick.
 fn touching_contacts_stick(scene: &ElasticTrial<'_, '_>, _: &mut SearchLog) -> Attempt {
     Attempt::of(touching_contacts(scene.problem, scene.trial_states.clone(), scene.state.clone()))
 }
 
 /// Newton's method for the motion of the object, of which each contact force is a function. On polygons it starts at the elastic trial only. On round
 /// cones it has three starts, one after the other: with few contacts, points of the relaxation (`object/relaxing`); then the elastic trial; last the
-/// twist from Tresca friction.
+/// twist from Tresca friction, whose limits do not depend on the normal forces.
 fn newton(scene: &ElasticTrial<'_, '_>, log: &mut SearchLog) -> Attempt {
     if !has_round_cones(scene.problem) {
         let propose = |problem: &Problem, _: &mut SearchLog| {
@@ -202,16 +202,16 @@ fn where_it_relaxes_to(scene: &ElasticTrial<'_, '_>) -> Option<SearchSolution> {
     another
 }
 
-/// Searches for a proof that a rate problem (for derivatives along a load path) has no solution, as at a limit load. The proof is a motion along
-/// which the rate of the load does work. If every contact on the edge of its cone slides, no contact resists this motion; in all other states the
-/// contacts do not resist it more.
+/// Searches for a proof that a rate problem (for derivatives along a load path) has no solution, as at a limit load. The proof is a virtual motion
+/// along which the rate of the load does work, while the contacts do none if all slide or open that may do so. In no other contact states do the
+/// contacts do more negative work along this motion.
 fn everything_yields(scene: &ElasticTrial<'_, '_>, _: &mut SearchLog) -> Attempt {
     let proof = proofs::yields(scene.problem);
     proof.map_or(Attempt::Nothing, |escape| Attempt::Proof(SearchOutcome::Contradicted { cases: 1, escape }))
 }
 
-/// Searches for a proof with many contacts or coordinates: a motion that separates the load from all admissible contact forces. With many
-/// coordinates an augmented Lagrangian finds it, otherwise it follows from the admissible forces nearest to the load.
+/// Searches for a proof with many contacts or coordinates: a motion that separates the load from all admissible contact forces. With many coordinates
+/// an augmented Lagrangian finds the motion. Otherwise the motion is the residual wrench of the admissible forces nearest to the load.
 fn separating_motion(scene: &ElasticTrial<'_, '_>, _: &mut SearchLog) -> Attempt {
     let motion = proofs::separating_motion(scene.proposing());
     motion.map_or(Attempt::Nothing, |motion| Attempt::Proof(SearchOutcome::Separating(motion)))

@@ -18,7 +18,8 @@ use crate::prelude::*;
 /// The solution, shifted along motions that no spring resists to the position nearest to q₀ at which gaps and slips keep their signs (see the top of
 /// the file). q₀ is the position at which contacts that touched before anything moved touch again, in the sense of least squares.
 pub(super) fn at_the_least_motion(problem: &Problem, mut found: SearchSolution) -> SearchSolution {
-    // If a contact slides on the round cone its conditions are not linear, since the direction of friction depends on the slip.
+    // If a contact slides on the round cone, its conditions are not linear, since the direction of friction depends on the slip. The solution is then
+    // returned unshifted.
     if found.free_motions.is_empty() || found.states.iter().any(|state| state.slide().is_some()) {
         return found;
     }
@@ -69,7 +70,8 @@ fn to_what_touches(problem: &Problem, found: &SearchSolution, base: &Vector) -> 
     let (free, normal) = (&found.free_motions, |i: usize| problem.sites[i].map.column(0));
     let rows = matrix_of(open.len(), free.len(), &|r, k| normal(open[r]).dot(&free[k]));
     let gaps = vector_of(open.len(), &|r| problem.stretch(open[r], base)[0]);
-    // `rows` has the normal components of the free motions at the open contacts. Singular values of this matrix below 1e-9 are taken as zero.
+    // `rows` has the normal components of the free motions at the open contacts. Singular values of this matrix below 1e-9 are taken as zero: the
+    // motion along such a direction would have to be very large to close a gap.
     let mut motion = Vector::zeros();
     for (v, part) in free.iter().zip(&Singular::new(&rows).solve(&gaps, 1e-9)) {
         motion += v * *part;

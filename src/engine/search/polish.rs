@@ -2,8 +2,9 @@
 //! found, accurate to the last digits.
 //!
 //! From the twist of the first solution a few steps of Newton's method ([`newton_on_cones`](crate::object::newton_on_cones)) lead to the states of
-//! the contacts on the round cone. Solving the linear problem of these states gives the last digits ([`super::round_pieces`]). Newton's method fails
-//! if stiffnesses differ so widely that the twist does not determine the forces. Then `round_pieces` starts from the states of the polygons.
+//! the contacts on the round cone. If every contact keeps its state, the contact laws are linear. The solution of this linear problem gives the last
+//! digits ([`super::round_pieces`]). Newton's method fails if stiffnesses differ so widely that the twist does not determine the forces. Then
+//! `round_pieces` starts from the states of the polygons.
 
 use super::answer::SearchSolution;
 use super::candidate::{CandidateOutcome, try_states};

@@ -30,8 +30,8 @@ pub(super) fn enumerable(problem: &Problem, settings: &Settings) -> bool {
 /// A method that proposes contact states, or returns `None` if it finds no states to propose.
 type ProposalMethod<'p> = dyn Fn(&Problem, &mut SearchLog) -> Option<Vec<State>> + 'p;
 
-/// Lets `propose` propose contact states, solves the linear problem in these states and checks the solution. On the round cone Newton's method
-/// continues from this solution. `None` if no solution passes the check.
+/// Lets `propose` propose contact states. If every contact keeps its proposed state, the contact laws are linear; this linear problem is solved, and
+/// its solution checked. On the round cone Newton's method continues from this solution. `None` if no solution passes the check.
 pub(super) fn equilibrium_by_proposals(
     problem: &Problem,
     propose: &ProposalMethod<'_>,
@@ -76,8 +76,8 @@ pub(super) fn propose_dense(
         one_path
     } else {
         let few = problem.round || enumerable(problem, settings);
-        // If Lemke's method ends on a ray, it may run again with other covering vectors (vectors along which it starts). The number of these runs is
-        // larger if there are too many combinations of contact states to try them all next.
+        // If Lemke's method ends on a ray, it may run again with other covering vectors (vectors along which it starts). Three such runs are allowed
+        // on the round cone, and if all combinations of contact states can be tried next; otherwise 16.
         let retries = if few { COVERING_VECTORS } else { 16 };
         // All runs of Lemke's method together may cost no more than `most_work` multiplications.
         let paths = most_work / form.rows.len().pow(3).max(1);

@@ -95,7 +95,7 @@ impl Settings {
         pub fn with_most_states(mut self, most_states: usize) { self.most_states = most_states; }
 
         /// These settings with another allowed error of a step along an arc (a part of a load path on which contacts slide in turning directions).
-        /// With 1e-13 nearly all digits are correct; below 1e-14 rounding prevents steps.
+        /// With 1e-13 nearly all digits are correct; below 1e-14 no step is accurate enough because of rounding.
         pub fn with_step_error(mut self, step_error: f64) { self.step_error = step_error; }
 
         /// These settings with another upper limit of the number of steps along arcs within one leg (section) of a load path. The same number limits

@@ -54,7 +54,7 @@ pub fn charts_of_cycles<const C: usize>(
     let tips = grasp.engine.wholes();
     let slides: Vec<_> = mapped(tips, &|tip| SlipHistory::of(tip, &states));
     let farthest = largest(&slides, &|slide| slide.farthest);
-    // Slips below this fraction of the longest slip count as zero.
+    // Slips below this fraction of the longest slip count as zero, so that rounding errors give no curves.
     let no_slip = 1e-6;
     let is_link = |tip: usize| tips[tip].label.link.is_some();
     let mut order: Vec<_> = chosen(tips.len(), &|k| !is_link(*k) && slides[*k].farthest > no_slip * farthest);

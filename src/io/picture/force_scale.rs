@@ -7,8 +7,9 @@ use nalgebra::SVector;
 /// A contact that carries a force: its point, m, its unit normal, and its normal force, N.
 pub(super) type PushedContact = (SVector<f64, 3>, SVector<f64, 3>, f64);
 
-/// Metres per newton in a picture of size `size` (m) whose largest force is `largest` (N). With this scale the arrow of the largest force is long
-/// enough to be visible. No arrow reaches the opposite side of the object, unless the object is thin. The scale is 0 if there is no force.
+/// Metres per newton in a picture of size `size` (m) whose largest force is `largest` (N). With this scale the arrow of the largest force is 0.12 to
+/// 0.4 times `size` long. No arrow reaches the opposite side of the object, unless the object is so thin that the lower limit applies. The scale is 0
+/// if there is no force.
 pub(super) fn metres_per_newton(pushes: &[PushedContact], size: f64, largest: f64) -> f64 {
     let inwards = |(at, normal, force): &PushedContact| {
         let depth = pushes.iter().map(|(other, ..)| normal.dot(&(other - at))).fold(0.0, f64::max);

@@ -31,10 +31,10 @@ pub struct Fingertip<const C: usize> {
     pub soft: Option<FingertipPatch>,
     /// The suction cup, instead of a soft fingertip.
     pub cup: Option<Cup>,
-    /// The pad that closes on the part of the scene, instead of point and normal.
+    /// The pad that closes on the part of the scene (the mesh of the object), in place of a given point and normal.
     #[cfg(feature = "mesh")]
     pub touches: Option<super::part::PadTouch>,
-    /// The curve or surface along which the contact may move if fingers are [improved](crate::improve).
+    /// The curve or surface along which the contact may move in the search for better finger places, [`improve`](crate::improve).
     pub surface: Option<Surface<C>>,
     /// Whether no stiffness was given; the default then takes its place, see [`Setup::stiffness_left_out`](super::Setup::stiffness_left_out).
     pub no_stiffness: bool,
@@ -88,7 +88,7 @@ impl<const C: usize> Fingertip<C> {
     }
 
     setters! {
-        /// This contact with a curve or surface along which it may move if fingers are [improved](crate::improve).
+        /// This contact with a curve or surface along which it may move in the search for better finger places, [`improve`](crate::improve).
         pub fn along(mut self, surface: Surface<C>) { self.surface = Some(surface); }
 
         /// Sets the joints that move this contact of a finger, for a contact on another link than the last, or moved by a given Jacobian.

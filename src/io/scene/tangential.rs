@@ -11,8 +11,8 @@ const DEPENDS: f64 = 0.05;
 
 impl<const C: usize> Setup<C> {
     /// Indices of the questions whose answers change by more than 5 % if tangential stiffnesses change. In the trials the tangential stiffness of all
-    /// contacts is divided by ten, that of all contacts is multiplied by ten, and that of each single contact is multiplied by ten. Each question is
-    /// answered with the limits of [small motions](crate::Settings::small_motions).
+    /// contacts is divided by ten, that of all contacts is multiplied by ten, and that of each single contact is multiplied by ten. The limits of
+    /// [small motions](crate::Settings::small_motions) stay in force in all trials.
     ///
     /// # Errors
     /// As for [`Self::answers`].
@@ -26,7 +26,7 @@ impl Setup<3> {
     /// in space. Vectors have three components; in the plane the third is zero.
     fn where_tangential_springs_matter(&self) -> Result<Vec<usize>, Error> {
         // If the tangential stiffness of all contacts changes alike, they share a tangential load as before. One contact that is stiffer than the
-        // others takes more of this load.
+        // others takes more of this load, so each contact is also made stiffer alone.
         let mut trials = vec![self.with_tangential(0.1, &|_| true)?, self.with_tangential(10.0, &|_| true)?];
         for contact in 0..self.entries().count() {
             trials.push(self.with_tangential(10.0, &|i| i == contact)?);

@@ -14,9 +14,10 @@ use super::line::{InputLine, LONGEST_LINE};
 use super::options::StreamOptions;
 use super::reply::Reply;
 
-/// Number of lines at which a block, a batch of input lines that one worker answers, is full.
+/// Number of lines at which a block, a batch of input lines that one worker answers, is full. If smaller, more time goes into passing blocks between
+/// threads; if larger, more lines are held in memory.
 const LINES_OF_A_BLOCK: usize = 64;
-/// Size, bytes, at which a block of input lines is full.
+/// Size, bytes, at which a block of input lines is full, and size of the input buffer.
 pub const BLOCK_BYTES: usize = 1 << 16;
 
 /// Numbers of lines that were read and answered.
@@ -30,7 +31,8 @@ pub struct Tally {
     pub errors: usize,
 }
 
-/// Upper bound on the number of lines that are read but whose answers are not yet written; lines in the input buffer of [`BLOCK_BYTES`] do not count.
+/// Upper bound on the number of lines that are read but whose answers are not yet written; lines that are still in the input buffer ([`BLOCK_BYTES`]
+/// bytes) do not count.
 #[must_use]
 pub const fn most_ahead(threads: usize) -> usize {
     // The blocks in the queue, one block for which the reader waits until the queue has room, and one block that is being written.
@@ -53,8 +55,8 @@ struct Answered {
     tally: Tally,
 }
 
-/// Answers every line of `input` by one line of `output`, in order. See [the stream](super) and [`StreamOptions`]. Returns the numbers of lines read
-/// and answered.
+/// Answers every line of `input` by one line of `output`, in order. The [module](super) describes input and output; [`StreamOptions`] has the number
+/// of threads and limits for every scene. Returns the numbers of lines read and answered.
 ///
 /// # Errors
 /// The error of reading or writing. A line that is no scene has an error in place of its answer.
@@ -64,7 +66,8 @@ pub fn answer_lines(
     options: &StreamOptions,
 ) -> io::Result<Tally> {
     let threads = options.threads.max(1);
-    // The channel of jobs needs no bound, since every job has an entry in the bounded queue.
+    // A job is a block of lines, with the sending end of the channel for its answer. The channel of jobs needs no bound, since every job has an entry
+    // in the bounded queue.
     let (put_job, take_job) = channel::<Job>();
     let (put_place, take_place) = sync_channel::<Receiver<io::Result<Answered>>>(queue(threads));
     let take_job = &Mutex::new(take_job);
@@ -130,7 +133,8 @@ fn read_blocks(
     }
 }
 
-/// The next line of input without its newline, or only the beginning of a line that is longer than [`LONGEST_LINE`]. `None` at the end of the input.
+/// The next line of input without its newline. Of a line that is longer than [`LONGEST_LINE`] (64 MiB) only the first 1024 bytes. `None` at the end
+/// of the input.
 fn read_line(input: &mut BufReader<impl Read>, number: usize) -> io::Result<Option<InputLine>> {
     use io::BufRead;
     let mut line = InputLine { number, text: Vec::new(), too_long: false };

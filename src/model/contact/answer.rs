@@ -41,8 +41,8 @@ impl ContactResponse {
 }
 
 impl LocalLaw<'_> {
-    /// State and force of the contact at a stretch, m, on the round cone, or on the single facet of [`Law::Edge`]. The iteration for the slip per
-    /// force λ starts at `near`: λ at a nearby stretch, or zero.
+    /// State and force of the contact at a stretch, m. The contact has the round cone, or a force on an edge of its cone ([`Law::Edge`]), which a
+    /// single facet limits. The iteration for the slip per force λ starts at `near`: λ at a nearby stretch, or zero.
     pub(crate) fn answer(&self, stretch: &SVector<f64, 3>, near: f64) -> ContactResponse {
         let mut force = self.springs.force(stretch);
         let sticking = ContactResponse { state: Mode::Sticking, force };
@@ -199,7 +199,8 @@ fn slip_per_force(springs: &Compliance, trial: &SVector<f64, 3>, traction: f64, 
     // stiffer spring.
     let last = 1e-8;
     let least = if excess >= 1.0 { 0.0 } else { ((excess - 1.0) / soft).max(-(1.0 - last) / stiff) };
-    // Upper bound of the number of Newton steps for λ.
+    // Upper bound of the number of Newton steps for λ; as a rule a few suffice. If λ is nearly zero, rounding may keep its relative change above
+    // `last`, and the bound ends the loop.
     for _ in 0..60 {
         let softened = springs.softened(lambda);
         let (mut square, mut slope) = (0.0, 0.0);

@@ -49,7 +49,8 @@ impl RelaxingSlide {
         }
         let (mut low, mut high) = (per_radius / k1.max(k2), per_radius / k1.min(k2));
         let mut s = per_radius / self.stiffness(start);
-        // Upper bound of the number of Newton steps for s.
+        // Newton steps for s that would leave the interval from `low` to `high` are replaced by its halving. Sixty halvings would reduce the interval
+        // to rounding.
         for _ in 0..60 {
             let (p, integral) = self.split_step(start, s);
             let off = integral - per_radius;

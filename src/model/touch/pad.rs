@@ -10,7 +10,8 @@ use crate::error::{Error, LARGEST};
 use crate::grasp::{Contact, Pressure, SoftFingertip};
 
 /// A point of a surface becomes a point of the pad only if its outward unit normal has at least this component along the closing direction. With a
-/// smaller component the surface is nearly parallel to the closing direction and does not press.
+/// smaller component the surface is nearly parallel to the closing direction and hardly presses. If this limit were larger, inclined faces that press
+/// would be left out.
 const TURNED_AWAY: f64 = 0.1;
 
 /// The surface of a jaw or of a fingertip, and its elastic layer.
@@ -73,9 +74,9 @@ pub(super) struct PadPoint {
 }
 
 impl Pad {
-    /// A flat rectangle with sides along the first and the second tangent, m, and points like those of [`SoftFingertip::rectangle`]. `strips` is
-    /// the number of strips in half of each side: `[1, 1]` suffices for a flat face. A curved part needs about six points across the contact
-    /// width.
+    /// A flat rectangle with sides along the first and the second tangent, m. `strips` is the number of strips in half of each side; two points
+    /// represent each strip, as in [`SoftFingertip::rectangle`]. `[1, 1]` suffices for a flat face. A curved part needs about six points across the
+    /// contact width.
     ///
     /// # Errors
     /// [`Error::Fingertip`] as for [`SoftFingertip::rectangle`].
@@ -83,7 +84,8 @@ impl Pad {
         Self::on_rectangle(sides, strips, Profile::Flat)
     }
 
-    /// A flat disc of this radius, m, with points like those of [`SoftFingertip::disc`] under uniform pressure.
+    /// A flat disc of this radius, m, divided into annuli of equal width. Two rings of `points` points represent each annulus, as in
+    /// [`SoftFingertip::disc`] under uniform pressure.
     ///
     /// # Errors
     /// [`Error::Fingertip`] as for [`SoftFingertip::disc`].

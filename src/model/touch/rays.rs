@@ -1,4 +1,4 @@
-//! Parallel rays onto a part: the positions at which the points of a pad meet it as the pad closes.
+//! Parallel rays onto a part (the mesh of an object to be held): the positions at which the points of a pad meet the part as the pad closes.
 //!
 //! All rays have the same direction. Each triangle is therefore tested once, in coordinates along and across the rays, and most triangles lie
 //! outside the pad. Building a tree of boxes would take longer.
@@ -10,7 +10,10 @@ use nalgebra::{Matrix3, Vector3};
 use super::pad::Pad;
 use super::part::Part;
 
-/// Points outside a triangle by less than this fraction of the mesh's size still meet it: pads may be flush with an edge of the part.
+/// A ray that passes outside a triangle by less than this fraction of the mesh's size still meets the triangle: pads may be flush with an edge of the
+/// part. Also the largest cosine of the angle between a triangle's normal and the rays at which the triangle counts as parallel to the rays.
+///
+/// If smaller, rounding decides whether a flush pad meets the part; if larger, rays meet the part beside its edges.
 pub(super) const FLUSH: f64 = 1e-9;
 
 /// The point where a ray from the pad first meets the part.
@@ -61,8 +64,8 @@ impl Part {
                 continue;
             }
             let orientation = normal[0].signum();
-            // Seen along the rays, the edge from p to q has the triangle on one side. Whether the ray passes on this side, or beyond the edge by less
-            // than `near`.
+            // Whether, seen along the rays, `ray` lies on the triangle's side of the edge from p to q, or on the other side at a distance below
+            // `near`, m.
             let inside = |p: &Vector3<f64>, q: &Vector3<f64>, ray: &Vector3<f64>| {
                 let (along, to) = ((q[1] - p[1], q[2] - p[2]), (ray[1] - p[1], ray[2] - p[2]));
                 orientation * (along.0 * to.1 - along.1 * to.0) >= -near * along.0.hypot(along.1)

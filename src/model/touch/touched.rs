@@ -6,7 +6,8 @@ use crate::error::Error;
 use crate::grasp::Contact;
 use crate::numerics::sort_by_number;
 
-/// The contacts at which a pad touches a part, and measures of how well the pad fits.
+/// The contacts at which a pad touches a part, and numbers that tell how well the pad fits: the area that misses the part, and the largest angle
+/// between the surfaces.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Touched {
     pub(super) contacts: Vec<Contact<3>>,

@@ -1,4 +1,5 @@
-//! Verdicts on many grasps, on all cores. A row of the batch is one grasp with its base load and its growing load.
+//! Verdicts on many grasps (whether and how each grasp holds its load), on all cores. A row of the batch is one grasp with its base load and its
+//! growing load.
 //!
 //! In most rows every contact sticks. [`screening`](crate::screening), a fast computation of the first slip of many grasps, shows this: the first
 //! slip lies beyond the whole load. The rotation of the object also has to stay within the limit of small motions, up to which the linear theory is

@@ -31,10 +31,10 @@ pub struct Identified {
     /// [degrees of freedom](Self::degrees_of_freedom), or if the slips agree to all digits.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub scatter: Option<f64>,
-    /// Root mean square of the residuals, each divided by the given standard deviation of its slip, by degrees of freedom; 1 is expected. Slips beyond
-    /// the [bound of outliers](super::Identify::with_outliers_beyond) count less. If this number is much more than one, the model is wrong, or the
-    /// given standard deviations are too small; the errors are then as many times larger. `None` if no standard deviations were given, or no degrees
-    /// of freedom remain.
+    /// Root mean square of the residuals, each divided by the given standard deviation of its slip; the mean is the sum divided by the degrees of
+    /// freedom. The expected value is 1. Slips beyond the [bound of outliers](super::Identify::with_outliers_beyond) count less. If this number is
+    /// much more than one, the model is wrong, or the given standard deviations are too small; the errors are then as many times larger. `None` if no
+    /// standard deviations were given, or no degrees of freedom remain.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub misfit: Option<f64>,
     /// Number of observations minus the number of independent combinations of unknowns that the observations determine. Observations are the observed
@@ -45,7 +45,8 @@ pub struct Identified {
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub free: Vec<FreeCombination>,
     /// The estimates of all unknowns in each assignment of slips to unknowns, the best first, if several assignments fit equally well. An assignment
-    /// says which contact slips first in each observation, and so on which unknowns the predicted load depends. Empty if only one assignment fits.
+    /// says which contact slips first in each observation. It thus determines the unknowns on which the predicted load of the observation depends.
+    /// Empty if only one assignment fits.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub assignments: Vec<Vec<Estimate>>,
     /// Logarithm of the observed over the predicted load or angle, slip by slip; empty if the model does not predict some slip.
@@ -152,7 +153,7 @@ impl Identified {
             .with_stiffness(sigma(UnknownKind::Stiffness))
     }
 
-    /// The largest value of `part` over all unknowns of a kind; 0 if none is positive.
+    /// The largest value that `part` returns for the estimates of all unknowns of this kind; 0 if none is positive.
     fn largest(&self, kind: UnknownKind, part: &dyn Fn(&Estimate) -> Option<f64>) -> f64 {
         largest(&self.estimates, &|estimate| {
             if estimate.kind == kind { part(estimate) } else { None }.unwrap_or(0.0)

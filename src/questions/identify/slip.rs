@@ -1,5 +1,6 @@
-//! An observed slip: a load or an angle at which the first contact, or the whole object, slid. A layout is one arrangement of the contact points,
-//! with a grasp of its own. The squeeze is all that presses without a load. The scatter of a slip is its relative standard deviation.
+//! An observed slip: a load or an angle at which the first contact, or the whole object, slid. A turn is a load that turns by a growing angle. A
+//! layout is one arrangement of the contact points, with a grasp of its own. The squeeze is all that presses without a load. The scatter of a slip is
+//! its relative standard deviation.
 
 use nalgebra::SVector;
 
@@ -151,8 +152,8 @@ impl Slip<3> {
         {
             return self;
         }
-        // The moment about the centroid of the contacts is split in the same ratio as the force. In the plane the lines of both forces then meet on
-        // the line of the whole load.
+        // The moment about the centroid of the contacts is split in the ratio of the components of both forces along the whole force. In the plane
+        // both forces then act through the point of the load's line that is nearest to the centroid.
         let weight = along * -pressed;
         let about = load - Wrench::force_through(&centre, &force);
         let share = weight.dot(&force) / force.norm_squared();

@@ -22,15 +22,16 @@ pub struct Improved<const C: usize> {
     pub goal: ImproveGoal,
     /// Value of the goal for the given grasp, the least over all loads. It is the load factor of first slip, or the reserve, N (the margin of a
     /// contact force to the edge of its friction cone). `None` if a contact slides under the base load, no equilibrium under the base load is found,
-    /// or, for a reserve, a contact slides under a load. Zero if nothing slides under the base load, but a contact without force slides under the
-    /// least load.
+    /// or, for a reserve, a contact slides under a load. Zero if nothing slides under the base load, but a contact touches without force: it slides
+    /// under any load, however small.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<Option<f64>>"))]
     pub before: Option<f64>,
     /// Value of the goal for the best grasp found. `None` if no grasp was found that sticks under the base load and, for a reserve, under the loads.
     /// Infinite if no contact slides however large the loads are.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<Option<f64>>"))]
     pub after: Option<f64>,
-    /// The reason why the best grasp says little at rest, under a load of the question or at the first slip: a motion that is not small, or
+    /// The reason why the answer for the best grasp cannot be trusted at rest, under a load of the question or at the first slip: a motion that is
+    /// not small, or
     /// [buckling](TooFar::Buckles). `None`, and omitted, without one.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub too_far: Option<TooFar>,
@@ -90,7 +91,7 @@ pub struct Placed<const C: usize> {
     /// leaves without force keeps its command.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub pressed_with: Option<f64>,
-    /// Normal force under the base load and the commands, N. The object gives way to the commands, so it differs from [`Self::pressed_with`].
+    /// Normal force under the base load and the commands, N. The object gives way to the commands, so this force differs from [`Self::pressed_with`].
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub normal_force: f64,
 }
@@ -185,8 +186,8 @@ pub enum SearchEnd {
     Stalled,
     /// The search used all of its steps before the gradients cancelled.
     OutOfSteps,
-    /// With some contact at another place nothing would balance the loads. An example is a grasp by two point contacts in space, which resist no
-    /// moment about the line that joins them.
+    /// The contacts cannot be moved: with some contact at another place, contact forces would no longer balance the loads. An example is a grasp by
+    /// two point contacts in space, which resist no moment about the line that joins them.
     Unbalanced,
     /// No contact slides, however large the loads are: the load factor of first slip is infinite.
     NothingSlides,

@@ -19,9 +19,10 @@ use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::numerics::{IntoList, mapped, vector_of};
 use crate::prelude::*;
 
-/// The data of the quadratic program of one step. `factors` are the values of the events (sticking conditions under loads). They are divided by the
-/// load factor of first slip. If the least margin under the loads (the reserve) is maximised, they are divided by the greatest contact force under
-/// the base load instead. Variables are divided by their units.
+/// The data of the quadratic program of one step. `factors` are the values of the events (sticking conditions under loads), scaled so that the least
+/// of them is 1 at the present places and squeezes. For first slip they are divided by the load factor of first slip. For a reserve (the least margin
+/// under the loads) a factor is 1 plus the margin less the least margin, divided by the greatest contact force under the base load. Each variable is
+/// divided by its unit: the size of the grasp for a place, the greatest allowed force for a squeeze.
 pub(super) struct StepProgram {
     pub(super) factors: Vec<f64>,
     pub(super) gradients: Vec<DVector<f64>>,

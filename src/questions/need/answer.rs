@@ -45,7 +45,7 @@ pub struct Needed {
     /// single force.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub force: Option<f64>,
-    /// The part that exerts the sought force, or the load at rest if that is sought; `None` for other quantities.
+    /// The body, contact, link or joint that exerts the sought force, or the load at rest if that is sought; `None` for other quantities.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub of: Option<PressedBy>,
     /// Whether a squeeze was asked for although no command presses. The sought quantity is then the force of the only loaded body, or the load at
@@ -85,7 +85,7 @@ fn is_once(times: &f64) -> bool {
     *times == 1.0
 }
 
-/// The part that exerts the sought force, and the given size of that force.
+/// The part (body, contact, link or joint) that exerts the sought force, or the load at rest, and the given size of that force.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -97,7 +97,7 @@ pub struct PressedBy {
     /// Whether the part is a body, which presses by its load.
     pub is_body: bool,
     /// Whether the force is that of a contact's command, `pressed_with`. If the commands of other contacts press this contact, too, its normal force
-    /// differs.
+    /// differs from the force of its command.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "core::ops::Not::not"))]
     pub is_command: bool,
     /// Size of the given force, in `unit`: amounts are multiples of it. `None` if the load is neither one force nor one moment.
@@ -116,7 +116,7 @@ pub struct PressedBy {
 pub enum Quantity {
     /// The squeeze, as a multiple of the given squeeze.
     Squeeze,
-    /// A coefficient of friction.
+    /// A coefficient of friction, of all contacts or of some.
     Friction,
     /// The loads, as a multiple of the given loads.
     Load,
@@ -124,7 +124,7 @@ pub enum Quantity {
     Arm,
     /// The angle of a load that turns, rad.
     Angle,
-    /// The force of one part, or the load at rest, as a multiple of the given force or load.
+    /// The force of one body, contact, link or joint, or the load at rest, as a multiple of the given force or load.
     Force,
 }
 
@@ -207,7 +207,8 @@ pub enum Amount {
         /// Number of amounts that were tried.
         #[cfg_attr(feature = "serde", serde(default))]
         tried: usize,
-        /// Whether a proof excludes all amounts from `from` to `to`. It shows that contact forces cannot balance the loads with any of these amounts.
+        /// Whether a proof excludes all amounts from `from` to `to`. The proof shows that contact forces cannot balance the loads with any of these
+        /// amounts.
         #[cfg_attr(feature = "serde", serde(default))]
         is_proved: bool,
         /// Whether this proof is about the load at rest alone, which acts before any of the other loads.

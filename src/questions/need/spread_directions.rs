@@ -1,6 +1,6 @@
 //! Directions of a force that are tried one by one: a set of evenly spread directions, the part of this set that is tried first, and the neighbours
-//! of each direction. The carried part of the load is the load factor up to which the object is held. In a jump the object moves suddenly under
-//! constant load, until contacts catch it.
+//! of each direction. The carried part of the load is the load factor up to which the object is held; in a weaker direction it is smaller. In a jump
+//! the object moves suddenly under constant load, until contacts catch it.
 
 use core::f64::consts::{PI, TAU};
 
@@ -15,19 +15,19 @@ pub(super) struct DirectionTrial {
     pub(super) jumps: usize,
 }
 
-/// In space the directions that are tried first are at least this angle apart, rad; every other direction is within 0.425 rad of one of them. If
-/// [`CLOSE`] times the load is carried in three neighbours, the whole load is carried in all directions between them, as `cos 0.425 > 1 / CLOSE`.
-/// This holds if the carried forces form a convex set, which is not proved where contacts slide.
+/// In space the directions that are tried first are at least this angle apart, rad; every other direction is within 0.432 rad of one of them. If
+/// [`CLOSE`] times the load is carried in three neighbours, more than 0.998 of the load is carried in all directions between them, as `CLOSE cos
+/// 0.432 > 0.998`. This holds if the carried forces form a convex set, which is not proved where contacts slide.
 const APART: f64 = 0.4;
 
 /// No weaker direction is sought near a direction in which more than this multiple of the load is carried. If smaller, a weakest direction between
 /// evenly spread directions is missed; if larger, load paths are followed farther.
 pub(super) const CLOSE: f64 = 1.1;
 
-/// For each of the evenly spread directions the indices of its neighbours: two on a circle, about six on the sphere.
+/// For each of the evenly spread directions the indices of its neighbours: two on a circle, four to six on the sphere.
 pub(super) fn neighbours(all: &[[f64; 3]], space: Space) -> Vec<Vec<usize>> {
     let count = all.len();
-    // On a sphere each of 200 directions has an area of (0.25 rad)².
+    // On a sphere each of 200 directions has an area of (0.25 rad)². The nearest one is 0.22 to 0.25 rad away; four to six are within 0.32 rad.
     let is_near = |one: usize, other: usize| match space {
         Space::Planar => (one + 1) % count == other || (other + 1) % count == one,
         Space::Spatial => one != other && dot(&all[one], &all[other]) > 0.32_f64.cos(),
@@ -51,8 +51,9 @@ pub(super) fn spread_out(all: &[[f64; 3]], space: Space) -> Vec<usize> {
     first
 }
 
-/// The indices of directions not yet tried that lie near a direction in which less than [`CLOSE`] times the load is carried. If the object jumps in
-/// some direction, all directions not yet tried: the carried part of the load may then jump from direction to direction.
+/// The indices of directions not yet tried that lie within 1.5 [`APART`], 0.6 rad, of a direction in which less than [`CLOSE`] times the load is
+/// carried. If the object jumps in some direction, all directions not yet tried: the carried part of the load may then jump from direction to
+/// direction.
 pub(super) fn in_between(all: &[[f64; 3]], found: &[Option<DirectionTrial>]) -> Vec<usize> {
     let jumps = found.iter().flatten().any(|trial| trial.jumps > 0);
     let weak = |(k, trial): (usize, &Option<DirectionTrial>)| trial.filter(|t| t.part < CLOSE).map(|_| k);
@@ -69,7 +70,8 @@ pub(super) fn everywhere(all: &[[f64; 3]], found: &[Option<DirectionTrial>]) -> 
     numbered(all.len(), &|k| of(k).unwrap_or(DirectionTrial { part: f64::INFINITY, jumps: 0 }))
 }
 
-/// Half of the angle between neighbouring evenly spread directions, rad.
+/// The first step, rad, of the search for the weakest direction near an evenly spread one: half of the angle between neighbouring evenly spread
+/// directions.
 pub(super) fn first_step(space: Space) -> f64 {
     if space == Space::Planar { 0.5 * TAU / 72.0 } else { 0.125 }
 }

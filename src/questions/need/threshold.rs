@@ -1,8 +1,10 @@
 //! The bracket of the bound, and how it is narrowed. An amount (of squeeze, friction, load, arm or angle) is sufficient if the grasp meets the demand
 //! with it; the bound is the least or greatest sufficient amount. A bracket consists of one sufficient and one insufficient amount. The carried part
 //! of the load is the load factor up to which the demand is met with an amount. At rest means under the loads that act before the loads of the
-//! question. A measure is a number that is zero at the bound unless it jumps there: the carried part less 1, or the second margin of a trial. Full
-//! trials enumerate contact states in the search for equilibria, quick trials do not.
+//! question. A trial finds out whether one amount is sufficient. It also computes two measures, numbers that are zero at the bound unless they jump
+//! at the bound. The first measure is the carried part less 1. The second measure (second margin) is 1 less the largest ratio of a motion to its
+//! limit of small motions; if nothing may slide, it is the margin of sticking at rest. Full trials enumerate contact states in the search for
+//! equilibria, quick trials do not.
 
 use super::search::{TrialFunctions, decided};
 use super::tolerances::{AT_A_JUMP, BESIDE_A_BOUND, FAR_APART, LAST_DIGITS, NEAR_A_PREDICTION};
@@ -25,7 +27,8 @@ pub(super) struct Threshold {
 }
 
 impl Threshold {
-    /// This bracket narrowed to the widths [`BESIDE_A_BOUND`], for a change between sufficient and insufficient that is not the bound.
+    /// This bracket narrowed to the relative widths [`BESIDE_A_BOUND`]: 1e-10 at first, and 1e-4 from step 20 on. The bracket belongs to a change
+    /// between sufficient and insufficient amounts that is not the bound, so fewer digits are enough.
     pub(super) fn beside(
         self,
         tries: TrialFunctions<'_>,
@@ -47,9 +50,10 @@ impl Threshold {
     ) -> Result<Self, Error> {
         let mut presumed = self.clone().by(tries, true, (sufficient, enough))?;
         let mut here = tries.at(presumed.sufficient)?;
-        // Quick trials give the `presumed` bracket. With a force of any direction, a full trial may find a direction in which its sufficient amount
-        // is insufficient. Later quick trials include this direction, and each further direction changes the bound less. Therefore an amount nearer
-        // to the sufficient end of the bracket by the fraction [`AT_A_JUMP`] is tried, too; if it is sufficient, it is the answer.
+        // Quick trials give the `presumed` bracket. With a force of any direction, a full trial may find a direction in which the sufficient amount
+        // of that bracket is insufficient. Later quick trials include this direction, and each further direction changes the bound less. Therefore an
+        // amount nearer to the sufficient end of the given bracket, by the fraction [`AT_A_JUMP`] (1e-6), is tried, too. If this amount is
+        // sufficient, it is the answer.
         let mut enough = enough;
         for _ in 0..6 {
             if !tries.learns || !matches!(here, Trial::Insufficient { .. }) {
@@ -117,7 +121,8 @@ impl Threshold {
         (sufficient, enough): ([Option<f64>; 2], WidthSchedule),
     ) -> Result<Self, Error> {
         let mut bracket = Narrowing::of(self, tries.is_planar, sufficient, enough);
-        // Halving a ratio of 4 down to [`EXACT`] takes 40 steps; more than 120 steps would only follow rounding.
+        // Halving a bracket of two amounts with the ratio 4, down to the relative width 1e-12, takes 40 steps. More than 120 steps would only follow
+        // rounding.
         for step in 0..120 {
             let close =
                 enough.iter().rev().find(|(steps, _)| *steps <= step).map_or(0.0, |(_, close)| *close);
@@ -126,8 +131,9 @@ impl Threshold {
             }
             let is_slow = bracket.is_slow(step);
             let halves = bracket.choose_measure();
-            // If the carried part of the load jumps at the bound, no secant guides the search. In space, moreover, load paths have step errors larger
-            // than rounding, so verdicts on amounts this close to the jump may be wrong. Therefore a wider bracket is accepted.
+            // If the measure in use jumps at the bound, or has no known zero in the bracket, no secant guides the search. In space, moreover, load
+            // paths have step errors larger than rounding, so verdicts on amounts very close to the jump may be wrong. Therefore the relative width
+            // [`AT_A_JUMP`] (1e-6) is accepted.
             let is_blind = halves || bracket.fall().is_none();
             if !tries.is_planar && is_blind && bracket.is_within(AT_A_JUMP) {
                 break;
@@ -136,7 +142,8 @@ impl Threshold {
             if at == bracket.edge.sufficient || at == bracket.edge.insufficient.0 {
                 break;
             }
-            // A load path is followed beyond the whole load, up to the loss, only if the multiple of the load at the loss may guide the next trial.
+            // If the second measure guides the next trial, or the carried part at the insufficient end is unknown, load paths end at the whole load
+            // (`short`). Otherwise they are followed up to the loss, whose load factor is the carried part: the first measure needs it.
             let is_guided = bracket.which == 1 && bracket.fall().is_some();
             let short = is_guided || bracket.edge.insufficient.1.carried().is_none();
             let (at, now) = if presumes {
@@ -263,7 +270,8 @@ impl Narrowing {
         let (from, to, width) = (self.edge.sufficient, self.edge.insufficient.0, self.width());
         let is_used = !(halves || step >= 3 && is_slow && self.kept.is_none());
         let mut root = self.root().filter(|_| is_used);
-        // If the carried part jumps because no equilibrium at rest exists beyond the bound, contacts at rest leave their states at the bound.
+        // If the carried part jumps because no equilibrium at rest exists beyond the bound, contacts at rest leave their states at the bound. The
+        // amount at which they are predicted to do so is then tried. In every second step of a slow search the bracket is halved instead.
         let stalls = step >= 3 && is_slow && step % 2 == 1;
         if root.is_none() && !stalls {
             root = self.where_rest_ends(tries);
@@ -272,7 +280,8 @@ impl Narrowing {
         let Some(root) = root else { return middle(from, to) };
         let moves = last.map_or(0.0, |last: f64| 1e-2 * (root - last).abs());
         let least = (self.push[0] * self.largest() / width).min(0.5);
-        // The next trial lies a little beyond the root, seen from the end that moved last. It then probably moves the other end.
+        // The next trial lies beyond the root, seen from the end that moved last, so that it probably moves the other end. Its distance from the root
+        // is 1 % of the last change of the root, but at least the distance `push` that every trial keeps from the ends.
         let beyond = (moves / width).max(least) * if self.kept == Some(1) { -1.0 } else { 1.0 };
         let beyond = if self.kept.is_some() { beyond } else { 0.0 };
         from + (to - from) * ((root - from) / (to - from) + beyond).clamp(least, 1.0 - least)
@@ -299,12 +308,13 @@ impl Narrowing {
         let new = (tries.rest_ends)(from, to);
         let next = new.or(last);
         // The difference `off` of this prediction from the previous prediction exceeds the error of this prediction. The trial is moved away from the
-        // prediction by `off`: to the sufficient side while `off` is large, afterwards to the insufficient side.
+        // prediction by `off`: to the sufficient side while `off` exceeds a quarter of [`AT_A_JUMP`] (1e-6), relative to the amount, afterwards to
+        // the insufficient side.
         let off = next.zip(self.predicted).map_or(0.0, |(next, last): (f64, f64)| (next - last).abs());
         let end = if off > 0.25 * AT_A_JUMP * to.abs() { from } else { to };
         let moved = |at: f64| at + off.min(0.5 * (end - at).abs()).copysign(end - at);
         // In the plane margins are linear in the amount, so that predictions are exact: the last prediction is kept while there is no new one. In
-        // space it is used only once more.
+        // space the last prediction is used only once more.
         self.predicted = if tries.is_planar { next.or(self.predicted) } else { new };
         next.map(|at| moved(at).clamp(from.min(to), from.max(to)))
     }
@@ -377,18 +387,22 @@ fn signs_differ(sides: &[BracketEnd; 2], which: usize) -> Option<[f64; 2]> {
 /// bound than necessary.
 const APART_WHERE_HARD: [f64; 3] = [1e-4, 1e-3, 1e-1];
 
-/// The width at which a bracket is narrow enough while full trials still find weaker directions of a force. If narrower, trials are spent on
-/// directions that do not change the answer; if wider, the width shows in the answer.
+/// The width at which a bracket is narrow enough while full trials still find weaker directions of a force, in which less of it is carried. If
+/// narrower, trials are spent on directions that do not change the answer; if wider, the width shows in the answer.
 const WHERE_DIRECTIONS_ARE_FOUND: WidthSchedule = &[(0, AT_A_JUMP)];
 
 /// Relative distances from the bound at which full trials are made in the plane, and in space if quick trials next to the bound are decided. The
 /// distances are used in turn until a trial shows an insufficient amount.
+///
+/// The small distances keep the bracket narrow. The large ones are needed only if full trials find equilibria that quick trials have missed.
 const HARDLY_APART: [f64; 6] = [0.0, 1e-9, 1e-7, 1e-5, 1e-3, 1e-1];
 
-/// A difference of a measure between two amounts is taken as rounding if it is smaller than this number.
+/// A difference of a measure between two amounts is taken as rounding if it is smaller than this number. If smaller, secants follow rounding errors;
+/// if larger, the bracket is halved although a secant would still gain digits.
 const ROUNDING: f64 = 1e-11;
 
-/// The mean of two amounts, geometric if their ratio exceeds [`FAR_APART`].
+/// The mean of two amounts. If their ratio exceeds [`FAR_APART`], 4, it is the geometric mean, since arithmetic means approach the smaller amount
+/// slowly.
 fn middle(from: f64, to: f64) -> f64 {
     let is_far = from > 0.0 && to > 0.0 && (from / to).max(to / from) > FAR_APART;
     if is_far { (from * to).sqrt() } else { 0.5 * (from + to) }

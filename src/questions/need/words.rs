@@ -10,6 +10,7 @@ use super::amount_words::roughly;
 use super::answer::{Amount, AmountWindow, FarEnd, Needed, Quantity, TriedAmounts};
 use super::press::{self, ContactPress};
 use super::question::Demand;
+use crate::hold::NO_MOMENTUM;
 use crate::numerics::{mapped, picked};
 use crate::prelude::*;
 use crate::words::{ALIKE_IN_WORDS, Words, listed, printable};
@@ -77,9 +78,7 @@ impl Needed {
     fn aim(&self) -> &'static str {
         match self.demand {
             Demand::Sticks => "nothing slides",
-            Demand::Held if self.quantity.is_least() && self.jumps => "it holds, counting no momentum,",
             Demand::Held if self.quantity.is_least() => "it holds",
-            Demand::Held if self.jumps => "holds, counting no momentum",
             Demand::Held => "holds",
             Demand::Rests => "it comes to rest however often the load is put on",
             Demand::Stays => "it does not walk however often the load is put on",
@@ -128,6 +127,9 @@ impl Needed {
                 write!(f, "TAKES {} and {aim}", self.between_ends(words, end.sufficient, *sufficient))?;
             }
             None => write!(f, "TAKES {much} and {aim}")?,
+        }
+        if self.jumps {
+            write!(f, ", {NO_MOMENTUM}")?;
         }
         self.beside(f, *sufficient, until.as_ref())?;
         self.safe_amount(f, (*sufficient, presses), self.before_safe())?;

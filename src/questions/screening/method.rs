@@ -5,8 +5,8 @@
 //! differ much, the force of a soft contact is a small difference of large forces. For such grasps the motion of the object is used instead, and also
 //! for contacts without friction, whose compliance is infinite.
 //!
-//! The choice is made once, when a grasp is prepared. Batches read it from their data, so that an answer does not depend on the grasps in
-//! neighbouring lanes.
+//! The choice is made once, when a grasp is prepared. A block holds the data of several grasps, which are computed together, one grasp in each lane
+//! of a vector. The choice is read from these data lane by lane, so that an answer does not depend on the grasps in other lanes.
 
 use super::block::{AnyGraspData, Block, Layout, TermSizes};
 use super::lanes::Packed;
@@ -48,8 +48,8 @@ pub(super) fn is_a_triangle<const C: usize, X: Packed>(block: &Block<'_, C, X>) 
     C == 3 && block.contacts == triangle::N
 }
 
-/// Chooses the method for a triangle in space. For [`Method::Edges`] it replaces stiffnesses by compliances and writes [`TermSizes`] above zero,
-/// which mark the choice.
+/// Chooses the method for a triangle in space. For [`Method::Edges`] it replaces stiffnesses by compliances, and writes the [`TermSizes`]: bounds of
+/// the terms of contact forces. A field `force` above zero marks the choice of this method.
 pub(super) fn to_compliances<const C: usize>(grasp: &mut AnyGraspData<C>) {
     let stiff = grasp.block().springs().each(|row| [row[0], row[1], row[2]]);
     let (mut least, mut most) = (f64::INFINITY, 0.0_f64);
@@ -75,17 +75,16 @@ pub(super) fn to_compliances<const C: usize>(grasp: &mut AnyGraspData<C>) {
     }
 }
 
-/// Bounds of the rounding of contact forces found along edges. The bounds for a unit moment and a unit force are zero if rounding would be too large
-/// for this method.
+/// Bounds of the terms that add up to contact forces found along edges; rounding errors are proportional to them. The bounds for a unit moment and a
+/// unit force are zero if rounding would be too large for this method.
 fn sizes<const C: usize>(grasp: &Block<'_, C, f64>) -> TermSizes<f64> {
     let mut triangle = Triangle::none();
     triangle.ready(grasp);
     let length = triangle.edge.each(|edge| edge.iter().map(|x| x * x).sum::<f64>().sqrt());
     let [c_n, c_t] = grasp.springs();
     // The contact forces P that balance the load before edge forces are added have size one. With edge forces the contact forces are `P - N A⁻¹ Nᵀ C
-    // P`, which absolute values bound by `1 + |N| |A⁻¹| |Nᵀ| C`. Here N maps forces along edges to contact forces, C are the compliances, and `A = Nᵀ
-    // C N`.
-    // |Nᵀ| C`, by absolute values. N maps forces along edges to contact forces, C are the compliances, and `A = Nᵀ C N`.
+    // P`. The sum of the absolute values of their terms is at most `1 + |N| |A⁻¹| |Nᵀ| C`. Here N maps forces along edges to contact forces, C are
+    // the compliances, and `A = Nᵀ C N`.
     let mut gives = 1.0;
     for k in 0..N {
         let mut unit = [0.0; N];

@@ -3,7 +3,8 @@
 //! All of them but the bounds of products are dimensionless. The margin of a contact is `μ F_n - |F_t|`; it is positive while the contact sticks. If
 //! more than a few refinements of the forces would be needed, the verdict is unclear.
 
-/// A contact may be on the edge of its friction cone if its margin at load factor zero is below this fraction of the forces.
+/// A contact may be on the edge of its friction cone if its margin at load factor zero is below this fraction of the forces: its contact force, and
+/// the spring forces whose difference that is.
 ///
 /// If this were smaller, rounding would determine whether the contact sticks. If larger, more grasps would be unclear.
 pub(super) const ON_THE_EDGE: f64 = 1e-12;

@@ -57,8 +57,8 @@ impl<const C: usize> Loads<C> {
     }
 }
 
-/// [`Loads`] written as the fields of a question in a scene file: `load`, `loads` and `turn`, or `any_force`. The last acts at the point `at` in
-/// addition to the constant `load`.
+/// [`Loads`] written as the fields of a question in a scene file: `load`, `loads` and `turn`, or `any_force`. The force `any_force` acts at the point
+/// `at` in addition to the constant `load`.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct LoadFields<const C: usize> {
     pub(crate) load: Option<Wrench<C>>,

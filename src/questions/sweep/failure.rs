@@ -1,10 +1,10 @@
 //! The probability that a contact stops sticking under one load, if data of the grasp are uncertain.
 //!
 //! Each facet of the friction cone has a margin, a linear function of the contact force that is positive inside the cone. The facet fails if its
-//! margin is negative. The distance of the given data from failure, in standard deviations, is the reliability β of the facet. The failure
-//! probability is `Φ(-β)`, which [`second_order`](super::second_order) corrects. On the round cone the facet is chosen by the angle θ of its
-//! direction. The gradient u(θ) of its margin with respect to the data, scaled to length one, turns with θ. The probability that the contact fails at
-//! any θ (its margin is negative at this θ) is at most
+//! margin is negative. The distance of the given data from failure, in standard deviations, is the reliability β of the facet. To first order in the
+//! errors of the data the failure probability is `Φ(-β)`; [`second_order`](super::second_order) corrects it for the curvature of the margin. On the
+//! round cone the facet is chosen by the angle θ of its direction. The gradient u(θ) of its margin with respect to the data, scaled to length one,
+//! turns with θ. The probability that the contact fails at any θ (its margin is negative at this θ) is at most
 //!
 //! ```text
 //! Φ(-β(θ₀)) + ∫ φ(β) E[(X' - β')₊] dθ,      X' normal, mean 0, deviation |u'|

@@ -189,7 +189,7 @@ fn write_row(
     }
     let mut words = numbers.map(short);
     if contact.hold == Hold::Bonded || contact.link.is_some() {
-        // A bonded contact has no friction to use.
+        // A bonded contact has no limit of friction: a dash takes the place of the friction used, and "bonded" or the kind of link the place of μ.
         (words[3], words[4]) = ("–".into(), contact.link.map_or("bonded", LinkKind::name).into());
     }
     let state = match contact.link {

@@ -10,7 +10,7 @@ use crate::prelude::*;
 /// How a contact moves with the joints of its finger.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum ContactMover {
-    /// The contact is on the link behind this number of joints, and only these joints of the finger move it.
+    /// The contact is on the link behind this number of joints, counted from the palm, and only these joints of the finger move it.
     Link(usize),
     /// This Jacobian gives the displacement of the contact along the axes x, y and z per unit displacement of each joint of the finger.
     World(DMatrix<f64>),
