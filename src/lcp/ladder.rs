@@ -58,7 +58,8 @@ impl Workspace {
         Some(first.after(self.path.pivots))
     }
 
-    /// The outcome `Infeasible`, with a Farkas vector of one or two nonzero entries if there is one, otherwise with a simplified y.
+    /// The outcome `Infeasible`. Its proof is a Farkas vector of one or two nonzero entries if there is one, otherwise a simpler form of the Farkas
+    /// vector `y`.
     fn infeasible(&self, lcp: &Lcp, y: DVector<f64>) -> Unsolved {
         self.few_rows(lcp).unwrap_or_else(|| {
             Outcome::Infeasible(Certificate { y: lcp.plainer(y), pivots: self.path.pivots })

@@ -56,9 +56,9 @@ fn warn_of_load_left_out(setup: &Setup<3>, question: &Question<3>) {
     }
 }
 
-/// Warns if a multiple of the load would multiply the weight of `--mass`, too, although only its inertia may be meant to grow. The warning is given
-/// if the arm accelerates and nothing presses without the load. Example: a box on a belt tips over at some acceleration of the belt. If its weight
-/// grows with its inertia, it may hold at any multiple.
+/// Warns that a multiple of the load multiplies the weight of `--mass` together with its inertia, although the user may want only the inertia to
+/// grow. The warning is given if the load has an acceleration and no contact presses without the load. Example: a box on a belt tips over at some
+/// acceleration of the belt. If its weight grew with its inertia, the box might stand at any multiple.
 fn warn_of_weight_that_grows(setup: &Setup<3>, asked: &Command) {
     let load = match asked {
         Command::Hold { load, .. } => load,

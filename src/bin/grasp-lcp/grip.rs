@@ -78,7 +78,8 @@ impl Lengths {
 
 /// Density of steel, kg/m³, which is assumed by default: few parts are denser.
 const STEEL: f64 = 7850.0;
-/// Distance, m, from the bounding box of the part at which a jaw starts, if `--opening` is left out.
+/// Distance, m, from the bounding box of the part at which a jaw starts, if `--opening` is left out. The jaw is then outside of the part before it
+/// closes.
 const AWAY: f64 = 0.005;
 
 impl Grip {

@@ -175,7 +175,8 @@ impl Report<'_> {
         }
     }
 
-    /// Prints each contact that reaches the edge of its friction cone while a load turns, and each drive that reaches its limit, without crossing it.
+    /// Prints each contact whose force touches the edge of its friction cone while a load turns, but does not leave the cone. Also prints each drive
+    /// whose force or torque touches its limit, but does not exceed it.
     fn touches(&mut self, answer: &TurnAnswer<3>) -> io::Result<()> {
         let mut named = Vec::new();
         for touch in &answer.touches {

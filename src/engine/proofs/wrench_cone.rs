@@ -8,7 +8,8 @@
 //! ```
 //!
 //! is a **separating motion**: γ·v >= 0 for all generators (no admissible contact force does negative work along v) and W·v = |v|² > 0 (the load does
-//! positive work along v). Stiffness, commands and history play no part in this.
+//! positive work along v). Stiffness, commands and history play no part in this. A separation is **clear**, beyond rounding, under two conditions.
+//! |v| exceeds 1e-9 of the load, and an equilibrium that rounding hides from the proof would have forces of at least 1e4 times load and commands.
 //!
 //! A round cone has infinitely many generators. But the generator that does the most negative work along a motion v is known: with u = G_iᵀv it lies
 //! along `e_n - μ u_t/|u_t|`. This generator is added to the generators of the sum. The sum is then minimised again, until no generator does negative
@@ -128,8 +129,8 @@ impl<'p, 'g> LoadAndCones<'p, 'g> {
         Some(Self { problem, straight, load, data: load + squeeze(problem) })
     }
 
-    /// The part of the load that the nearest admissible contact forces leave unbalanced, as a unit motion. `None` unless this motion clearly
-    /// separates the load from all admissible forces.
+    /// The part of the load that the nearest admissible contact forces leave unbalanced, as a unit motion. `None` unless this motion separates the
+    /// load from all admissible forces, clearly beyond rounding (see [`Self::is_proof`]).
     fn separating_motion(&self) -> Option<Vector> {
         let target = -&self.problem.wrench / self.load;
         let round = |v: &Vector| round_generators(self.problem, v).list();
@@ -138,7 +139,9 @@ impl<'p, 'g> LoadAndCones<'p, 'g> {
         self.is_proof(&v).then(|| v.normalize())
     }
 
-    /// Whether a motion, however it was found, separates the load from all admissible contact forces, clearly beyond rounding.
+    /// Whether a motion separates the load from all admissible contact forces, clearly beyond rounding. The motion may come from any method: its norm
+    /// must exceed the fraction [`CLEAR_RESIDUAL`] of the load. An equilibrium that rounding hides must have forces of at least [`ESCAPE`] times load
+    /// and commands.
     fn is_proof(&self, v: &Vector) -> bool {
         let mut negative_work = 0.0_f64;
         self.straight.iter().for_each(|g| negative_work = negative_work.max(g.works_against(v)));

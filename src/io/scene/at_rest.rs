@@ -17,9 +17,9 @@ use crate::numerics::summed;
 use crate::numerics::tolerances::NEGLIGIBLE;
 
 impl Setup<3> {
-    /// Whether the scene has a question in which nothing presses on any contact. Contacts are pressed by commands of fingers or joints, by the
-    /// constant load of a question (base load, or load at the start), and by an applied load in two cases. Such a load pushes the object onto a
-    /// contact, as a weight does, or it jams the object between contacts.
+    /// Whether the scene has a question in which nothing presses on any contact. Commands of fingers or joints press, and so does the constant load
+    /// of a question (base load, or load at the start). A load that the question adds presses if it pushes the object onto a contact, as a weight
+    /// does, or jams the object between contacts.
     ///
     /// Three kinds of question are not tested: `solve` with a load, `need` of an arm, and `identify` of forces under the base load. For a scene
     /// without questions, the result is whether no command presses; for a scene without contacts it is false.
@@ -88,7 +88,8 @@ impl Setup<3> {
     }
 
     /// Warnings about contacts and links whose force at rest differs from the force that the scene states. The equilibria without load and under the
-    /// base load of each question are examined. The warnings are those of the equilibrium that has the fewest.
+    /// base load of each question are examined, since the scene does not say for which of them it states the forces. The equilibrium with the fewest
+    /// warnings is taken as the intended one, and its warnings are returned.
     pub(super) fn otherwise_at_rest(&self, grasp: &Grasp<3>) -> Result<Vec<Warning>, Error> {
         let is_pretensioned =
             |entry: &LinkSetup<3>| entry.link.tension.is_none() && entry.link.pretension != 0.0;

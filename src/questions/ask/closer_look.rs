@@ -13,8 +13,9 @@ impl<const C: usize> Grasp<C> {
     /// All equilibria under a load, for few contacts, by trying every combination of contact states. The equilibrium that [`Self::solve`] returns is
     /// among them.
     ///
-    /// On the round cone the list may be incomplete: it has that equilibrium, and those that Newton's method reaches from the equilibria on the
-    /// polygonal cone. An empty list does not prove that no equilibrium exists: [`Self::solve`] returns a proof if it finds one. An equilibrium that
+    /// On the round cone the list may be incomplete. It has the equilibrium of [`Self::solve`], and those that Newton's method reaches from the
+    /// equilibria on the polygonal cone. An empty list does not prove that no equilibrium exists: [`Self::solve`] returns a proof if it finds one. An
+    /// equilibrium that
     /// satisfies several combinations, as with a contact exactly on the edge of its cone, is listed once. If equilibria form a line, one of its
     /// points is listed, with the directions of the line in [`neutral_motions`](Equilibrium::neutral_motions).
     ///

@@ -40,13 +40,13 @@ pub(crate) struct WhileSticking {
     pub(crate) taken: f64,
 }
 
-/// A grasp surely does not buckle if the bound of what forces take away is below this fraction of the resistance. Rounding is far smaller than the
-/// rest to 1.
+/// A grasp surely does not buckle if forces take away at most this fraction of the resistance to rotation. At the fraction 1 it may buckle; the
+/// difference from 1 is far larger than the rounding of [`WhileSticking::taken`].
 const SURELY: f64 = 0.99;
 
 impl WhileSticking {
-    /// Whether the rotation is clearly within its `limit`, rad, and the grasp surely does not buckle, if load and squeeze are so changed that rotation
-    /// and forces grow at most by the factor `times`.
+    /// Whether the rotation stays within its `limit`, rad, by more than rounding, and the grasp surely does not buckle. This holds for any change of
+    /// load and squeeze that multiplies rotation and forces by at most `times`.
     pub(crate) fn is_small(&self, limit: f64, times: f64) -> bool {
         self.turn * times <= limit * (1.0 - NEGLIGIBLE) && self.taken * times <= SURELY
     }

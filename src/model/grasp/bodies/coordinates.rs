@@ -21,8 +21,8 @@ impl Engine {
         self.linkage()?.bodies.as_deref()
     }
 
-    /// Sign with which the force of a contact acts on the body that has the coordinates of the object. It is 1 if the normal points into this body,
-    /// -1 if the body is on the other side of the contact, else 0.
+    /// Sign with which the force of a contact acts on the object. With several bodies the object is the body on which the loads of questions act. The
+    /// sign is 1 if the normal points into the object, -1 if the normal points out of the object, and 0 if the contact does not touch the object.
     pub(crate) fn sign_on_object(&self, contact: usize) -> f64 {
         self.bodies().map_or(1.0, |bodies| bodies.sign(contact, bodies.object))
     }

@@ -90,8 +90,8 @@ impl fmt::Display for HandPart {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct PartLabel {
-    /// The joint or tendon. Joints are numbered from 0 finger by finger; slides of contacts with a constant force follow. Written as
-    /// `"joint": 3`.
+    /// The joint or tendon. Joints are numbered from 0 finger by finger. Each contact with a constant force has a prismatic joint of its own along
+    /// its normal; these joints follow. Written as `"joint": 3`.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub part: HandPart,
     /// The user's name; omitted if there is none.
