@@ -41,8 +41,8 @@ pub(crate) fn put(setup: &mut Setup<3>, asked: &Command) -> Result<(), Failure> 
     if setup.questions.is_empty() { Err(Failure::Usage(missing(asked))) } else { Ok(()) }
 }
 
-/// Warns if a constant load (base load or load at the start) of the scene's questions does not act in `question`, the question of the command line.
-/// This is so if `question` has no constant load.
+/// Warns if a question of the scene has a constant load (base load or load at the start), but `question`, the question of the command line, has none.
+/// The answer is then about the load of the command line alone.
 fn warn_of_load_left_out(setup: &Setup<3>, question: &Question<3>) {
     let is_own = setup.questions.iter().any(|own| own.loads().is_some() && own.loads() == question.loads());
     if question.base() == Some(Wrench::ZERO)

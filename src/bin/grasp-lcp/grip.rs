@@ -21,7 +21,7 @@ use crate::numbers::{kilograms, newtons};
 pub(crate) struct Grip {
     /// Of a grip: the mesh of the part, an STL or OBJ. Save the scene in the folder to which the path of the mesh is relative.
     mesh: Option<PathBuf>,
-    /// Of a grip: sides of the jaws, such as 20x30mm; the first along the axis that is farthest from the closing direction.
+    /// Of a grip: sides of the jaws, such as 20x30mm; the first along the coordinate axis that is most nearly perpendicular to the closing direction.
     #[arg(long, value_name = "AxB")]
     jaws: Option<Lengths>,
     /// Of a grip: the direction in which the first jaw closes; the second closes against it.
@@ -76,7 +76,8 @@ impl Lengths {
     }
 }
 
-/// Density of steel, kg/m³, which is assumed by default: few parts are denser.
+/// Density of steel, kg/m³, which is assumed by default. Most parts are lighter, so that the jaws rather have to hold too much weight than too
+/// little.
 const STEEL: f64 = 7850.0;
 /// Distance, m, from the bounding box of the part at which a jaw starts, if `--opening` is left out. The jaw is then outside of the part before it
 /// closes.

@@ -302,7 +302,7 @@ impl<'s, 'g> Arc<'s, 'g> {
             let mut ended = None;
             // At most six Newton corrections. After a step along the path, friction forces are off their cones by the error of the step, and
             // `forces_at` puts them back, so that forces are out of balance. The first correction restores the balance, and leaves friction forces
-            // off their cones only by the square of that error. The other corrections remove the rest.
+            // off their cones only by the square of the error of the step. Further corrections remove this distance up to rounding.
             for _ in 0..6 {
                 let load = self.segment.trajectory.at(factor);
                 let Imbalance { left, size: carried } = Imbalance::of(self.sites(), &forces, &load, 0.0);

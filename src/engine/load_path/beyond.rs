@@ -173,7 +173,7 @@ pub(super) fn beyond_end(
 /// Whether Farkas' lemma excludes every choice of slip rates and gap rates. If so, `rates`, the problem for the rates of forces and motion, has no
 /// solution. The lemma is applied to the kinematic form of `rates`, an LCP in these slip rates and gap rates. This LCP is computed in floating point,
 /// and the proof holds up to the rounding of its matrix. Linear programs with twice as many rows as the LCP search for the proof. Returns false if
-/// they would be too large.
+/// their dense matrices would be too large.
 pub(super) fn no_rates(rates: &Problem) -> bool {
     if !dense_is_affordable(rates, 2) {
         return false;

@@ -9,10 +9,10 @@
 //! Σ G_i F_i + W + (1 - τ) Σ G_j (F_j - F_j') = 0,      τ from 0 to 1
 //! ```
 //!
-//! The path follows such a leg like any other. If another contact leaves its static cone on the leg, the force that it loses is added to the present
-//! external force. A new leg removes both. If the leg reaches its end, the jump has led to an equilibrium without an external force. Otherwise
-//! equilibrium is lost on the leg, and the path ends with this [`Loss`]. The external force stands for the damping forces of an overdamped motion, in
-//! which the object does not overshoot the new equilibrium.
+//! The leg of a jump is followed like any other leg. If another contact leaves its static cone on the leg, the force that it loses is added to what
+//! remains of the external force, and a new leg removes the sum. If the leg reaches its end, the jump has led to an equilibrium without an external
+//! force. Otherwise equilibrium is lost on the leg, and the path ends with this [`Loss`]. The external force stands for the damping forces of an
+//! overdamped motion, in which the object does not overshoot the new equilibrium.
 
 use nalgebra::{Matrix, SVector};
 

@@ -201,8 +201,9 @@ impl Node {
         self.stopped.iter().find(leaves).copied().filter(|_| straight)
     }
 
-    /// Called when steps have become too short to advance. A force nearly on the edge of its cone is treated as on the edge, and a nearly closed gap
-    /// as closed. Events nearer to each other than the error of steps thus happen at one point of the path.
+    /// Called when steps have become too short to advance. A force is treated as on the edge of its cone, and a gap as closed, if its distance from
+    /// the edge or the gap is at most 1e-8 ([`GATHERED_MARGIN`]) of the terms from which it is computed. Events nearer to each other than the error
+    /// of steps thus happen at one point of the path.
     ///
     /// Each gap that is neglected in this way, and each distance of a force from the edge of its cone, is divided by the size of its terms. Returns
     /// the largest of these ratios, which the caller adds to the error of the path. The caller then computes anew how the path continues. If nothing

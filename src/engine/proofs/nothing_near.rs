@@ -17,8 +17,8 @@
 //! h  <=  Σ c_i x_i + Σ r_i·v_i  +  |(Σ c_i G_i n + Σ G_i r_i)·δ|  +  Σ c_i (|G_i n·δ| - x_i)₊
 //! ```
 //!
-//! If this bound is below `W·v`, no equilibrium exists. The terms of opposed contacts cancel in the sum; the bound then grows only once one of
-//! these contacts opens.
+//! If this bound is below `W·v`, no equilibrium exists. In the term with δ outside the last sum, the contributions of contacts that press against
+//! each other cancel. The bound then grows with |δ| only once one of these contacts opens.
 
 use crate::contact::Resistance;
 use crate::grasp::Space;

@@ -42,8 +42,9 @@ impl Generator {
         Self { contact, force: force / size, wrench: wrench / size }
     }
 
-    /// Negative work of the generator along a motion, per unit of normal force. The generator has a wrench of length one. With large friction its
-    /// normal force is small, so that forces of the size of the load need large multiples of it, and the work counts accordingly more.
+    /// Negative work of the generator, a unit wrench, along a motion, divided by the share of the normal component in its contact force. With large
+    /// friction this share is small. Contacts can then exert a large multiple of the generator with a small normal force, so that even little
+    /// negative work along the motion would refute the proof.
     fn works_against(&self, motion: &Vector) -> f64 {
         let normal = self.force[0] / self.force.norm();
         -self.wrench.dot(motion) / if normal > 0.0 { normal } else { 1.0 }
@@ -74,9 +75,9 @@ pub(crate) fn nearest_forces(
     // Generators of round cones that have been added to the sum. `nearest` identifies each generator by a number, its tag; their tags follow those of
     // `straight`.
     let mut joined: Vec<Generator> = Vec::new();
-    // Upper limit of the number of generators that are added: two hundred, and four more for each coordinate; above `MOST_COORDINATES`
-    // coordinates only two hundred. Cones that are not round rarely need so many. If the target is near the boundary of the sum of round cones,
-    // each new generator reduces the distance only by a constant factor.
+    // Upper limit of the number of generators that are added: two hundred, and four more for each coordinate; above `MOST_COORDINATES` coordinates
+    // only two hundred. The limit is reached rarely, if the target is near the boundary of the sum of round cones: each new generator then reduces
+    // the distance only by a constant factor.
     let each = if size.count() <= MOST_COORDINATES { 4 } else { 0 };
     let mut joins_left = 200 + each * size.count();
     let (motion, negative_work) = loop {

@@ -49,8 +49,8 @@ impl Setup<3> {
         Ok(self.questions.is_empty())
     }
 
-    /// Whether a load presses an object onto a contact, as a weight presses an object onto a table, even if no command presses. A link that cannot go
-    /// slack, such as a hinge, holds the object under any load and counts as such a contact.
+    /// Whether a load presses an object onto a contact, as a weight presses an object onto a table, even if no command presses. Also true if the
+    /// scene has a link that cannot go slack, such as a hinge: this link holds the object under any load.
     fn lies_on_a_contact(&self, load: &Wrench<3>) -> bool {
         let force = &load.components()[..3];
         let size = summed(force, &|x| x * x).sqrt();

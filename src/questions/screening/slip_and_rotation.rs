@@ -35,8 +35,9 @@ pub(crate) struct WhileSticking {
     /// The larger of the object's rotations under the base load and under the whole load (factor 1), rad. NaN if the position of the object is not
     /// determined, or if no rotation was computed.
     pub(crate) turn: f64,
-    /// A bound of the fraction of the resistance to rotation that forces take away under the base load and under the whole load. NaN if it is not
-    /// known, if no contact carries a force, or if no rotation was computed.
+    /// A bound of the fraction of the resistance to rotation that the contact forces and the load take away, because their points of action turn
+    /// with the object. Below 1 the grasp does not buckle. It holds under the base load and under the whole load. NaN if it is not known, if no
+    /// contact carries a force, or if no rotation was computed.
     pub(crate) taken: f64,
 }
 
