@@ -303,8 +303,8 @@ impl OptionVectors {
     /// The constant load of the option `--base`: a force, N, that acts at the point `at`, as a wrench about the origin. Zero without this option.
     pub(crate) fn base(self, base: Option<&Numbers>, at: Option<&Numbers>) -> Result<Wrench, Failure> {
         let Some(base) = base else { return Ok(Wrench::ZERO) };
-        // Without `--at` the origin is taken as the point at which the base load acts. Answers then also say whether the grasp buckles under the base
-        // load.
+        // Without `--at` the origin is taken as the point at which the base load acts. Buckling depends on this point, so that answers can also say
+        // whether the grasp buckles under the base load.
         Ok(Wrench::force_at(base.along_axes(self.axes, "base")?, self.point(at)?))
     }
 

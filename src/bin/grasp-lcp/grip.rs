@@ -27,7 +27,7 @@ pub(crate) struct Grip {
     /// Of a grip: the direction in which the first jaw closes; the second closes against it.
     #[arg(long, allow_hyphen_values = true, value_name = "X,Y,Z", default_value = "1,0,0")]
     closing: Numbers,
-    /// Of a grip: the force with which each jaw closes on the part before it stays in its place, N.
+    /// Of a grip: the force with which each jaw closes on the part, N; the closed jaw then stays where it is.
     #[arg(long, allow_hyphen_values = true, value_parser = newtons, value_name = "N")]
     force: Option<f64>,
     /// Of a grip: the point between the jaws, such as 3,25,15mm; the centre of mass if left out.

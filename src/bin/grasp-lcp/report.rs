@@ -1,4 +1,5 @@
-//! Answers in words and tables. A drive is a motor or a tendon of a joint.
+//! Answers in words and tables. A drive is a motor or a tendon of a joint. A finger command is the displacement that a finger would make without the
+//! object.
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;

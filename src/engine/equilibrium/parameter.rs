@@ -76,7 +76,7 @@ pub enum Parameter {
         /// Index of the joint, from 0, finger by finger. Tendons are counted after all joints.
         joint: usize,
     },
-    /// Greatest torque or force of the drive of a joint, or greatest tension of a tendon, N m or N.
+    /// Greatest torque or force of the drive (motor with spring) of a joint, or greatest tension of a tendon, N m or N.
     JointLimit {
         /// Index of the joint, from 0, finger by finger. Tendons are counted after all joints.
         joint: usize,

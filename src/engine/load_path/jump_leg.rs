@@ -182,8 +182,8 @@ impl<'g> PiecewiseFollower<'g> {
         if begin.is_empty() {
             return Ok(None);
         }
-        // Contacts may alternate between sticking and sliding, with a jump each time. If friction falls only a little, there are very many jumps, so
-        // each jump counts as one of the limited number of steps.
+        // Contacts may alternate between sticking and sliding, with a jump each time: the smaller the fall of friction, the more jumps. Therefore
+        // each jump counts as one of the steps, whose number the settings limit.
         if self.pace.steps >= run.settings.most_steps {
             return Err(run.undecided(self.factor, Doubt::OutOfSteps));
         }
@@ -230,8 +230,8 @@ impl<'g> PiecewiseFollower<'g> {
         let inaccurate = || run.undecided(self.factor, Doubt::Inaccurate);
         let mut place = after_jump.present_piece(run).ok_or_else(inaccurate)?;
         if after_jump.node.turns() {
-            // If hardly anything resists a motion, the contact states alone do not give the twist accurately. Therefore the twist at the end of the
-            // jump's leg is stored with this point of the path, as for the end of an integration step. This step has the length zero.
+            // If springs resist a motion only weakly, a solution from the contact states alone does not give the twist accurately. Therefore the
+            // twist at the end of the jump's leg is stored with this point of the path, in the form of an integration step of length zero.
             place.there = after_jump.node.at.clone();
             place.arc_step = Some(ArcStep { unit: 1.0, length: 0.0, rule: Rule::Explicit });
         }

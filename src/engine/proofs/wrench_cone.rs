@@ -117,8 +117,8 @@ struct LoadAndCones<'p, 'g> {
     problem: &'p Problem<'g>,
     straight: Vec<Generator>,
     load: f64,
-    /// The size of load and commands: the norm of the load, plus the size of the forces with which the fingers squeeze, which may be far larger. A
-    /// proof is accepted only if an equilibrium that rounding hides from it would have forces far beyond this size.
+    /// The size of load and commands: the norm of the load, plus the size of the forces with which the fingers squeeze. A proof is accepted only if
+    /// an equilibrium that rounding hides from it would have forces of at least [`ESCAPE`] (1e4) times this size.
     data: f64,
 }
 

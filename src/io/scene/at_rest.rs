@@ -1,5 +1,5 @@
 //! Warnings about contacts and links that press or pull with no force, or with another force than the scene states, in the equilibrium at rest. At
-//! rest means without load, or under the base load of a question.
+//! rest means without load, or under the base load of a question. A command is a prescribed displacement of a finger or joint.
 
 use super::link::LinkSetup;
 use super::question::Question;

@@ -1,5 +1,5 @@
 //! Suspicious numbers in a scene: friction in percent, lengths in mm, masses in g, angles in degrees, normals that point outwards, and contacts that
-//! are given twice. The base load of a question acts before its other loads.
+//! are given twice. The base load of a question acts before its other loads. An outline is a closed line, which bounds an object in the plane.
 
 use core::f64::consts::TAU;
 
@@ -102,7 +102,7 @@ impl Setup<3> {
         }
         for (contact, entry) in self.entries().enumerate() {
             let (point, normal) = (entry.contact.point(), entry.contact.normal);
-            // In the plane the outline, a closed line in the scene, bounds the object. In space lines of the scene are only drawn.
+            // In space an outline does not bound the object, and is only drawn.
             if self.space == Space::Planar && points_out(self.outline_around(entry), &point, &normal) {
                 warnings.push(Warning::PointsOut { contact, name: entry.contact.label_text(contact) });
             }

@@ -1,5 +1,6 @@
 //! Reusable memory for computing many first slips, one after another, in loops that must not wait for an allocator. At first slip the first contact
-//! stops sticking. On a ramp a load, commands of fingers, or both change in proportion to a load factor, in addition to a constant base load.
+//! stops sticking. On a ramp a load, commands of fingers, or both change in proportion to a load factor, in addition to a constant base load. The
+//! engine computes with vectors of three components, also in the plane.
 
 use super::grasp::Grasp;
 use crate::equilibrium::Settings;

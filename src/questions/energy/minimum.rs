@@ -76,7 +76,7 @@ impl<const C: usize> MinimumOutcome<C> {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct MinimumEnergy<const C: usize> {
-    /// The load of the question, N and N m, without the permanent loads of bodies.
+    /// The load of the question, N and N m, without the permanent loads of bodies, which are part of the grasp and act in every question.
     pub load: Wrench<C>,
     /// Motion of the object about the origin at the minimum, m and rad. The active springs are all springs but the normal springs of open gaps. If
     /// some motions stretch no active spring, the twist is usually the solution of least norm.
@@ -124,7 +124,8 @@ pub(super) struct Inside {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct MinimumContact<const C: usize> {
-    /// Force on the object in the contact frame, N. Its first entry, the normal force, is not negative unless the contact is bonded or kept closed.
+    /// Force on the object in the contact frame, N. Its first entry, the normal force, is not negative unless the contact is bonded (neither opens
+    /// nor slips) or kept closed (may slip, but not open).
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
     pub force: SVector<f64, C>,
     /// The same force on the object along the coordinate axes, N.

@@ -1,5 +1,6 @@
-//! A scan: trials of further amounts on both sides of the bound (the least or greatest sufficient amount) after a search has found it. An amount is
-//! sufficient if the grasp meets the demand with it, e.g. holds the object. At rest means under the loads that act before the loads of the question.
+//! A scan: trials of further amounts on both sides of the bound (the least or greatest sufficient amount) after a search has found it. An amount (of
+//! squeeze, friction, load, arm or angle) is sufficient if the grasp meets the demand with it, e.g. holds the object. The trial of an amount gives
+//! the verdict: sufficient, insufficient or undecided. At rest means under the loads that act before the loads of the question.
 //!
 //! Easier amounts are larger if the least amount is sought, smaller if the greatest is sought; harder amounts are the opposite. The scan finds the
 //! far end, which is the last sufficient amount on the easier side of the bound, and further intervals of sufficient amounts. The carried part of the
@@ -31,14 +32,14 @@ pub(super) struct BoundScan {
 }
 
 impl SearchPlan {
-    /// The amounts to try on one side of `from`: `count` amounts above it if `up`, else below it, up to a factor of 4 away. If `coarse`, there is one
-    /// more amount, 16 times as large or small as `from`. Amounts outside the range of the plan are not tried. If a proof excludes all harder amounts
-    /// (less squeeze, more load) from less than a factor of 4 on, the amounts extend to this proved end.
+    /// The amounts to try on one side of `from`: `count` amounts above it if `up`, else below it, up to a factor of 4 away. On the harder side (less
+    /// squeeze, more load) they extend only to the end of the range that a proof gives, if this end is nearer. If `coarse`, there is one more amount,
+    /// 16 times as large or small as `from`. Amounts outside the range of the plan are not tried.
     fn scanned(&self, from: f64, up: bool, count: usize, coarse: bool) -> Vec<f64> {
         let to_the_end = self.end(up).filter(|_| up != self.is_least).map(|end| (end / from).max(from / end));
         let most = to_the_end.filter(|ratio| *ratio > BETWEEN_STATES).map_or(4.0, |ratio| ratio.min(4.0));
-        // The k-th of n amounts has the ratio 4^((k/n)³) to `from`, so that amounts lie close together near the bound of the sufficient amounts. With
-        // a larger ratio than 4 they would be farther apart.
+        // The k-th of n amounts has the ratio r^((k/n)³) to `from`, with r = `most`, so that amounts lie close together near the bound of the
+        // sufficient amounts. With r above 4 they would be so far apart that intervals of insufficient amounts near the bound could be missed.
         let mut parts = numbered(count, &|k| most.powf(((k + 1) as f64 / count as f64).powi(3)));
         // A drive may reach its limit only at a far larger squeeze or force, which a ratio of 4 would miss.
         parts.extend((coarse && count > 0).then_some(16.0));

@@ -1,5 +1,5 @@
-//! The least factor of the commands with which all contacts of a grasp stick under each load of a list. A command is the displacement that a finger
-//! would make without the object.
+//! The least factor of the commands with which all contacts of a grasp stick under each load of a list, for several grasps, one in each lane of a
+//! SIMD vector. A command is the displacement that a finger would make without the object.
 //!
 //! Under a load and with the commands multiplied by s the force of a contact is `F + s F'`. Here F is due to the load and the clearances, F' to the
 //! commands. As s grows, this force moves along a straight line, the line of forces. A contact sticks while its margin `n - |t|` is not negative,

@@ -1,5 +1,6 @@
 //! First slip (the first contact stops sticking), and the rotation of the object up to the whole load, for a batch of grasps, each under its own
-//! load. The base load acts at load factor 0. A block holds as many grasps as a SIMD vector has numbers (lanes).
+//! load. The base load acts at load factor 0. A command is the displacement that a finger would make without the object. A block holds as many grasps
+//! as a SIMD vector has numbers (lanes).
 
 use super::answer_slots::AnswerSlots;
 use super::block::Layout;

@@ -1,5 +1,6 @@
 //! Follows cycle after cycle of a repeated load until the cycles repeat themselves, or until extrapolation gives the limit of the cycles. A state
-//! consists of the contact forces and gaps between two cycles. Events are the slipping, sticking, opening and closing of contacts. The object walks
+//! consists of the contact forces and gaps between two cycles; at rest means before the first cycle, under the base load alone. Events are the
+//! slipping, sticking, opening and closing of contacts. The object walks
 //! if it moves on by the same motion in every cycle. A drive is a motor, clutch or tendon of a joint; motions are small within the limits up to which
 //! the linear theory is trusted.
 
@@ -179,11 +180,11 @@ impl<'g> FollowedCycles<'g, '_> {
     }
 
     /// Extrapolates from cycles that all have the same events: to the limit of their states, or else over many cycles at once.
-    /// [`Extrapolation::NotKnown`] if all trials fail.
+    /// [`Extrapolation::NotKnown`] if all extrapolations fail.
     ///
-    /// The states at the beginning of cycles with the same events form a convex set. Extrapolated states lie between the last state and the limit. If
-    /// the events in the cycles from these two states are the same, they are the same for all states in between. Two events that only swap their
-    /// order do not change the map from state to state.
+    /// An extrapolation is confirmed by computing the cycle that begins at the extrapolated state. The states at the beginning of cycles with the
+    /// same events form a convex set. If the cycles from the last state and from the extrapolated state have the same events, so have all skipped
+    /// cycles, whose states lie in between. Two events may swap their order: this does not change the map from state to state.
     fn extrapolate(&mut self, last: &Cycle) -> Extrapolation<'g> {
         let places = self.places.clone();
         let numbers: Vec<_> = mapped(&places, &|place| last.numbers(place));

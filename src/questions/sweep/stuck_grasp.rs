@@ -38,8 +38,8 @@ struct AddedLoad<'a> {
     factor: f64,
 }
 
-/// A grasp in which no contact slides under the base load. It has the contact forces for each source (commands, components of the load). It also has
-/// the failures of contacts that errors of the data may cause under the base load.
+/// A grasp in which no contact slides under the base load. It has the contact forces for each source: the commands (displacements of the fingers
+/// without the object), and each component of the load. It also has the failures of contacts that errors of the data may cause under the base load.
 #[derive(Debug, Clone)]
 pub(super) struct StuckGrasp {
     off: PerturbedGrasp,

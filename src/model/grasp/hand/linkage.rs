@@ -1,5 +1,6 @@
-//! Joints, tendons and drives of a hand as parts of a grasp, and the bodies of a grasp with several bodies. In the engine's coordinates moments and
-//! rotations refer to the centroid of the contacts.
+//! Joints, tendons and drives of a hand as parts of a grasp, and the bodies of a grasp with several bodies. A command is a prescribed displacement of
+//! a joint or tendon, which stretches the spring of its drive. In the engine's coordinates moments and rotations refer to the centroid of the
+//! contacts.
 
 use alloc::sync::Arc;
 use core::fmt;
