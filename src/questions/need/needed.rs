@@ -65,8 +65,8 @@ impl Need<3> {
         }
         let mut trials = TrialRecord::new(grasp, &asked, SafetyDeviations::NONE, start(grasp, &asked));
         let amount = amount(&trials, asked.demand, SearchExtent::Around)?;
-        // If the first amount of the search is too large, so that the object is not held, the amount with which nothing slides is sought from the
-        // largest amount that holds the object.
+        // The first amount of the search may be too large, so that the object is not held. The search for the amount with which nothing slides then
+        // begins at the largest amount that holds the object.
         if let Amount::Bound { until: Some(end), .. } | Amount::Any { until: Some(end), .. } = &amount
             && asked.quantity().is_least()
         {
