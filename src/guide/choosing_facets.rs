@@ -4,11 +4,11 @@
 //!
 //! # Usually none
 //!
-//! Equilibria, onsets of sliding and load paths in space use the **round** cone. Newton's method finds them from the elastic trial state. If it does
-//! not converge, Lemke's method proposes contact states on a polygon of 8 facets. At each contact the polygon is turned so that a corner lies along
-//! the friction force of the elastic trial, in which everything sticks. Newton's method continues from this proposal to the round cone, and the
-//! answer names the cone and the change of forces ([`Cone::Round`](crate::equilibrium::Cone::Round),
-//! [`change_from_polygon`](crate::equilibrium::Equilibrium::change_from_polygon)). More facets make the proposal more expensive, and the answer no
+//! Equilibria, onsets of sliding and load paths in space use the **round** cone. Newton's method finds them from the elastic trial state, in which
+//! everything sticks. If it does not converge, Lemke's method proposes contact states on a polygon of 8 facets. At each contact the polygon is turned
+//! so that a corner lies along the friction force of the elastic trial state. Newton's method continues from this proposal to the round cone. The
+//! answer names the cone ([`Cone::Round`](crate::equilibrium::Cone::Round)) and the change of contact forces from the polygon to the round cone
+//! ([`change_from_polygon`](crate::equilibrium::Equilibrium::change_from_polygon)). More facets make the proposal more expensive, and the answer no
 //! better. The load at first slip needs no facets at all: it follows from one quadratic equation per contact.
 //!
 //! # Where facets are used

@@ -127,8 +127,8 @@ impl Search<'_> {
 
     /// The values `basic` of z_α, with values below rounding replaced by zero.
     ///
-    /// Otherwise, in a row whose other terms are all zero, noise would decide the sign of the slack w. If a replaced value was not noise, the
-    /// residuals become large.
+    /// Without this replacement rounding noise would decide the sign of the slack w in a row whose other terms are all zero. If a replaced value was
+    /// not noise, the residuals become large.
     fn without_noise(&self, alpha: &[usize], basic: &DVector<f64>) -> DVector<f64> {
         let size = |j: usize| basic[j].abs() / self.scaling.column[alpha[j]];
         let largest = (0..alpha.len()).map(size).fold(0.0, f64::max);

@@ -58,7 +58,8 @@ impl Workspace {
         Some(first.after(self.path.pivots))
     }
 
-    /// The outcome `Infeasible`, with a Farkas vector of one or two nonzero entries if there is one, otherwise with a simplified y.
+    /// The outcome `Infeasible`. Its proof is a Farkas vector of one or two nonzero entries if there is one, otherwise a simpler form of the Farkas
+    /// vector `y`.
     fn infeasible(&self, lcp: &Lcp, y: DVector<f64>) -> Unsolved {
         self.few_rows(lcp).unwrap_or_else(|| {
             Outcome::Infeasible(Certificate { y: lcp.plainer(y), pivots: self.path.pivots })
@@ -111,7 +112,7 @@ impl Workspace {
 /// A basis for the start of a path, for problems whose paths from the slack basis end in rays: z_i and z_j are basic, or z_i alone (returned as `[i,
 /// i]`) if M_ii ≠ 0. `None` if no j has nonzero M_ij and M_ji.
 ///
-/// The matrix [0, A; Bᵀ, 0] of a bimatrix game has no other regular bases with few basic z's. Each attempt uses another index i.
+/// The matrix [0, A; Bᵀ, 0] of a bimatrix game has no other regular bases with one or two basic z's. Each attempt uses another index i.
 fn small_basis(lcp: &Lcp, attempt: usize) -> Option<[usize; 2]> {
     let n = lcp.len();
     let i = attempt.wrapping_mul(7).wrapping_add(attempt / n) % n;

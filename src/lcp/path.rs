@@ -1,6 +1,7 @@
 //! Lemke's path through the dictionaries of one problem: each pivot leads from one dictionary to the next. The path is computed in a balanced
 //! problem, whose rows and columns are scaled by powers of two, so that nonzero entries of M lie near 1. A dictionary is the condensed tableau of one
-//! basis. The problem is 0 ≤ z ⟂ w = M z + q ≥ 0.
+//! basis; in the slack basis all slacks w_i are basic. The problem is 0 ≤ z ⟂ w = M z + q ≥ 0. On the path w = M z + q + d z₀ with a covering
+//! variable z₀ ≥ 0; the path ends in a solution once z₀ is zero.
 
 use super::dictionary::{Dictionary, LemkeVariable};
 use super::memory::{make_room, refill};
@@ -48,7 +49,8 @@ impl LemkePath {
         self.reserve(q.len());
     }
 
-    /// Reserves memory for computations that only some problems need, so that later problems of this size do not allocate.
+    /// Reserves memory for recomputing a dictionary by elimination, which only some paths of n rows need. Later paths of this size then allocate
+    /// nothing.
     fn reserve(&mut self, n: usize) {
         for list in [&mut self.d, &mut self.defect, &mut self.terms] {
             make_room(list, n);

@@ -56,8 +56,9 @@ impl fmt::Display for Residuals {
     }
 }
 
-/// Whether a point with these residuals also solves, up to rounding, a problem with a very different q. Such a point does not count as a
-/// solution. `terms` holds a_i = |q_i| + Σ_j |M_ij| |z_j| for each row i, and `row` the factors, powers of two, that balance the rows.
+/// Whether a point with these residuals also solves, up to rounding, a problem with a very different q, for example because z is so large that q
+/// vanishes beside M z. Such a point does not count as a solution. `terms` holds a_i = |q_i| + Σ_j |M_ij| |z_j| for each row i, and `row` the
+/// factors, powers of two, that balance the rows.
 pub(super) fn ignores_q(residuals: Residuals, q: &[f64], terms: &[f64], row: &[f64]) -> bool {
     let balanced = |v: &[f64]| v.iter().zip(row).fold(0.0_f64, |size, (v, row)| size.max(v.abs() * row));
     let missed = residuals.max();
@@ -67,7 +68,8 @@ pub(super) fn ignores_q(residuals: Residuals, q: &[f64], terms: &[f64], row: &[f
     q.iter().any(|q| *q != 0.0) && (0..q.len()).all(|i| is_lost(q[i], terms[i]))
 }
 
-/// Whether q_i is at most the fraction [`LOST`] of `terms`, the magnitude of the terms of row i of M z + q.
+/// Whether q_i is so small beside the terms of row i of M z + q that rounding may hide it: at most the fraction [`LOST`], 1e-11, of their magnitude
+/// `terms`.
 fn is_lost(q: f64, terms: f64) -> bool {
     q.abs() <= LOST * terms
 }

@@ -177,8 +177,8 @@ pub(crate) fn largest_ball(
         now.at_least = distance.min(now.at_most);
         let (at_most, close) = (now.at_most, closeness * next.norm());
         bounds = Some(now);
-        // The search ends if the bounds are close. It also ends if the upper bound is nearly zero: the set then contains no ball about the origin,
-        // and more points would not help.
+        // The search ends if the bounds differ by at most `close`. It also ends if the upper bound is at most `close`: up to this accuracy the set
+        // contains no ball about the origin, and more points would not help.
         if at_most - distance <= close || at_most <= close {
             break;
         }

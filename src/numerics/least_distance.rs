@@ -4,7 +4,8 @@
 //! min |τ|,    b_i + a_i·τ >= 0
 //! ```
 //!
-//! τ follows from the point closest to (0, 1) in the cone that the vectors (a_i, -b_i) span.
+//! τ follows from the point closest to (0, 1) in the cone that the vectors (a_i, -b_i) span: the residual r, (0, 1) less this point, is a positive
+//! multiple of (-τ, 1).
 //!
 //! Source: least-distance programming, Lawson and Hanson, Solving Least Squares Problems (1974), chapter 23, section 4.
 
@@ -36,10 +37,10 @@ pub(crate) fn least_distance(rows: Vec<(f64, Vec<f64>)>) -> Option<Vec<f64>> {
             if nearest.has(*k) { f64::NEG_INFINITY } else { work }
         };
         let most = (0..generators.len()).max_by(|a, b| works(a).total_cmp(&works(b)))?;
-        // If every generator a of the cone has `a·r <= 0` with the residual r, up to rounding, the closest point of the cone is found.
+        // The closest point is found if every generator g = (a, -b) of the cone has `g·r <= 0` with the residual r, up to rounding.
         if works(&most) <= SOLVED_ROUNDING {
             let (parts, last) = nearest.residual().split_at(count);
-            // If the last component of the residual is zero, no vector τ satisfies all inequalities.
+            // If the last component of the residual r is zero, no vector τ satisfies all inequalities.
             return (last[0] > NEGLIGIBLE).then(|| mapped(parts, &|r| -r / last[0] * largest));
         }
         if !nearest.add_generator(most, &generators[most], &target) {

@@ -29,7 +29,8 @@ impl PositiveBand {
         self.entries[j * self.height + i - j] += x;
     }
 
-    /// Replaces the matrix A by its Cholesky factor L, with A = L Lᵀ; `None` if A is not clearly positive definite.
+    /// Replaces the matrix A by its Cholesky factor L, with A = L Lᵀ. `None` if A is not positive definite beyond rounding: some pivot is at most
+    /// [`POSITIVE_PIVOT`], 1e-12, of its diagonal entry.
     pub(crate) fn factor(&mut self) -> Option<()> {
         let height = self.height;
         let least: Vec<f64> =

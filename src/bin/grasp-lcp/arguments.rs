@@ -83,7 +83,7 @@ pub(crate) enum Command {
     },
     /// Where should the fingers be, and how hard should they press, so that the first slip comes as late as possible, or most friction is left?
     ///
-    /// Only contacts with a `surface` in the scene may move. The answer names the limits of further improvement,
+    /// Only contacts with a `surface` in the scene may move. The answer names the conditions and limits that prevent further improvement,
     /// and `draw` shows the grasp before and after.
     Improve {
         #[command(flatten)]
@@ -178,9 +178,9 @@ pub(crate) enum Command {
     ///
     /// Columns of the load under which the object slid: fx, fy, fz (N), mx, my, mz (N m; in the plane one column m), and at_x, at_y, at_z (m), the
     /// point of the force. Columns base_x, base_y, base_z (N) are the force that acted before, a weight for instance, at the origin as in --base.
-    /// Further columns: squeeze (factor on the clamping forces of the scene), slip (first or gross), scatter_percent, and group, a name or number
-    /// that is the same for slips that may share an error. Every estimate comes with its standard error; quantities that the slips do not determine
-    /// are named.
+    /// Further columns: squeeze (factor on the clamping forces of the scene), slip (first or gross), scatter_percent (standard deviation of the
+    /// load, percent), and group, a name or number that is the same for slips that may share an error. Every estimate comes with its standard
+    /// error; quantities that the slips do not determine are named.
     Identify {
         #[command(flatten)]
         ask: SceneArguments,

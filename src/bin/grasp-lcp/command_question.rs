@@ -41,8 +41,8 @@ pub(crate) fn put(setup: &mut Setup<3>, asked: &Command) -> Result<(), Failure> 
     if setup.questions.is_empty() { Err(Failure::Usage(missing(asked))) } else { Ok(()) }
 }
 
-/// Warns if a constant load (base load or load at the start) of the scene's questions does not act in `question`, the question of the command line.
-/// This is so if `question` has no constant load.
+/// Warns if a question of the scene has a constant load (base load or load at the start), but `question`, the question of the command line, has none.
+/// The answer is then about the load of the command line alone.
 fn warn_of_load_left_out(setup: &Setup<3>, question: &Question<3>) {
     let is_own = setup.questions.iter().any(|own| own.loads().is_some() && own.loads() == question.loads());
     if question.base() == Some(Wrench::ZERO)
@@ -56,9 +56,9 @@ fn warn_of_load_left_out(setup: &Setup<3>, question: &Question<3>) {
     }
 }
 
-/// Warns if a multiple of the load would multiply the weight of `--mass`, too, although only its inertia may be meant to grow. The warning is given
-/// if the arm accelerates and nothing presses without the load. Example: a box on a belt tips over at some acceleration of the belt. If its weight
-/// grows with its inertia, it may hold at any multiple.
+/// Warns that a multiple of the load multiplies the weight of `--mass` together with its inertia, although the user may want only the inertia to
+/// grow. The warning is given if the load has an acceleration and no contact presses without the load. Example: a box on a belt tips over at some
+/// acceleration of the belt. If its weight grew with its inertia, the box might stand at any multiple.
 fn warn_of_weight_that_grows(setup: &Setup<3>, asked: &Command) {
     let load = match asked {
         Command::Hold { load, .. } => load,

@@ -21,13 +21,13 @@ use crate::numbers::{kilograms, newtons};
 pub(crate) struct Grip {
     /// Of a grip: the mesh of the part, an STL or OBJ. Save the scene in the folder to which the path of the mesh is relative.
     mesh: Option<PathBuf>,
-    /// Of a grip: sides of the jaws, such as 20x30mm; the first along the axis that is farthest from the closing direction.
+    /// Of a grip: sides of the jaws, such as 20x30mm; the first along the coordinate axis that is most nearly perpendicular to the closing direction.
     #[arg(long, value_name = "AxB")]
     jaws: Option<Lengths>,
     /// Of a grip: the direction in which the first jaw closes; the second closes against it.
     #[arg(long, allow_hyphen_values = true, value_name = "X,Y,Z", default_value = "1,0,0")]
     closing: Numbers,
-    /// Of a grip: the force with which each jaw closes on the part before it stays in its place, N.
+    /// Of a grip: the force with which each jaw closes on the part, N; the closed jaw then stays where it is.
     #[arg(long, allow_hyphen_values = true, value_parser = newtons, value_name = "N")]
     force: Option<f64>,
     /// Of a grip: the point between the jaws, such as 3,25,15mm; the centre of mass if left out.
@@ -76,9 +76,11 @@ impl Lengths {
     }
 }
 
-/// Density of steel, kg/m³, which is assumed by default: few parts are denser.
+/// Density of steel, kg/m³, which is assumed by default. Most parts are lighter, so that the jaws rather have to hold too much weight than too
+/// little.
 const STEEL: f64 = 7850.0;
-/// Distance, m, from the bounding box of the part at which a jaw starts, if `--opening` is left out.
+/// Distance, m, from the bounding box of the part at which a jaw starts, if `--opening` is left out. The jaw is then outside of the part before it
+/// closes.
 const AWAY: f64 = 0.005;
 
 impl Grip {

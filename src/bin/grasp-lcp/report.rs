@@ -1,4 +1,5 @@
-//! Answers in words and tables. A drive is a motor or a tendon of a joint.
+//! Answers in words and tables. A drive is a motor or a tendon of a joint. A finger command is the displacement that a finger would make without the
+//! object.
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -175,7 +176,8 @@ impl Report<'_> {
         }
     }
 
-    /// Prints each contact that reaches the edge of its friction cone while a load turns, and each drive that reaches its limit, without crossing it.
+    /// Prints each contact whose force touches the edge of its friction cone while a load turns, but does not leave the cone. Also prints each drive
+    /// whose force or torque touches its limit, but does not exceed it.
     fn touches(&mut self, answer: &TurnAnswer<3>) -> io::Result<()> {
         let mut named = Vec::new();
         for touch in &answer.touches {

@@ -33,8 +33,8 @@ pub(crate) struct Shakes {
 }
 
 impl OptionVectors {
-    /// The question whether the grasp survives the repeated loads; `None` without such a load: the caller then asks the scene's own questions.
-    /// Without such a load, options that need one are an error.
+    /// The question whether the grasp survives the repeated loads. `None` if the command line gives no force or acceleration to repeat: the caller
+    /// then asks the scene's own questions. Options that make no sense without a repeated load are then an error.
     pub(crate) fn shake(self, shakes: &Shakes, setup: &mut Setup<3>) -> Result<Option<Question<3>>, Failure> {
         refuse_mass(setup, shakes.mass)?;
         let at = shakes.at.as_ref();

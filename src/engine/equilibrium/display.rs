@@ -1,4 +1,4 @@
-//! Answers in words, for a terminal.
+//! Answers in words, for a terminal. The margin of a contact is what is left of its friction, `μ F_n - |F_t|`, N.
 
 use core::fmt;
 

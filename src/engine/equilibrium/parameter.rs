@@ -10,7 +10,8 @@
 //! stiffness    normal:   f = (e_n + μ p) F_n / k_n     tangential: f = e_a F_a/k_a minus its part across the facet
 //! ```
 //!
-//! Here p is the friction force of a sliding contact divided by its limit μ F_n. e_a is the unit vector along axis a of the contact frame. The
+//! Here p is the friction force of a sliding contact divided by its limit μ F_n. e_a is the unit vector along axis a of the contact frame. The "part
+//! across the facet" is the part along the facet's normal: the contact slides along this normal, so that friction along it stays at its limit. The
 //! stretches v are taken as F/k, so that no difference of large displacements is needed. A change dG_i of the grasp map (see `geometry`) changes the
 //! stretch by `-dG_iᵀq` and the balance by `dG_i F_i`.
 
@@ -75,7 +76,7 @@ pub enum Parameter {
         /// Index of the joint, from 0, finger by finger. Tendons are counted after all joints.
         joint: usize,
     },
-    /// Greatest torque or force of the drive of a joint, or greatest tension of a tendon, N m or N.
+    /// Greatest torque or force of the drive (motor with spring) of a joint, or greatest tension of a tendon, N m or N.
     JointLimit {
         /// Index of the joint, from 0, finger by finger. Tendons are counted after all joints.
         joint: usize,
@@ -229,8 +230,8 @@ impl StickingResponse<'_> {
         } else if !matches!(state, Mode::Corner(_))
             && let Some(h) = local.outward(state)
         {
-            // The change of force along the axis, minus the part that slip compensates: the component of friction along the facet normal h stays
-            // at its limit. On the round cone slip also reduces the stiffness across the direction of sliding.
+            // The change of force along the axis, minus its part along the facet normal h. Slip along h takes up this part, so that friction along h
+            // stays at its limit. On the round cone slip also reduces the stiffness across the direction of sliding.
             let softened =
                 state.slide().map_or(stretch, |slide| stretch * local.springs.softening(axis, slide.lambda));
             f = local.edge(state).pull * (-h[axis] * softened);

@@ -12,7 +12,7 @@
 //! ```
 //!
 //! The null vector of `[T | -b]` is the direction of the path. It stays smooth where the load factor has a maximum and T is singular. One more row
-//! below this matrix, transverse to the path, makes it regular even at such a maximum.
+//! below this matrix, transverse to the path, makes it regular even at such a maximum. A free motion is a motion that no spring resists.
 
 use crate::numerics::{Each, IntoList, Once, Vector, by_axis};
 use nalgebra::{Matrix, SVector};
@@ -302,7 +302,7 @@ impl<'s, 'g> Arc<'s, 'g> {
             let mut ended = None;
             // At most six Newton corrections. After a step along the path, friction forces are off their cones by the error of the step, and
             // `forces_at` puts them back, so that forces are out of balance. The first correction restores the balance, and leaves friction forces
-            // off their cones only by the square of that error. The other corrections remove the rest.
+            // off their cones only by the square of the error of the step. Further corrections remove this distance up to rounding.
             for _ in 0..6 {
                 let load = self.segment.trajectory.at(factor);
                 let Imbalance { left, size: carried } = Imbalance::of(self.sites(), &forces, &load, 0.0);
@@ -329,8 +329,8 @@ impl<'s, 'g> Arc<'s, 'g> {
                 break;
             }
             last = off;
-            // If hardly anything resists a motion, a correction along this motion may turn friction forces off the cones. The correction is then
-            // repeated with the new directions of friction.
+            // If springs resist a motion only weakly, a correction along this motion may be so large that friction forces turn off the cones. The
+            // correction is then repeated with the new directions of friction.
             let is_on_them = off <= SLACK_ON_AN_ARC * carried;
             if !is_on_them {
                 self.sliding

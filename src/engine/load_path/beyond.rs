@@ -89,8 +89,8 @@ pub struct Continuation<const C: usize> {
     pub rule: FoundBy,
 }
 
-/// [`Beyond::Continues`] with states and rates from `found`, the solution of `rates`, the rate problem after an event. [`Beyond::WithoutVacuum`] if a
-/// suction cup is open all around.
+/// [`Beyond::Continues`] with the contact states and rates of `found`. `rates` is the complementarity problem for the rates of forces and motion
+/// after an event, and `found` its solution. [`Beyond::WithoutVacuum`] if a suction cup is open all around.
 pub(super) fn continuation(
     grasp: &Engine,
     rates: &Problem,
@@ -173,7 +173,7 @@ pub(super) fn beyond_end(
 /// Whether Farkas' lemma excludes every choice of slip rates and gap rates. If so, `rates`, the problem for the rates of forces and motion, has no
 /// solution. The lemma is applied to the kinematic form of `rates`, an LCP in these slip rates and gap rates. This LCP is computed in floating point,
 /// and the proof holds up to the rounding of its matrix. Linear programs with twice as many rows as the LCP search for the proof. Returns false if
-/// they would be too large.
+/// their dense matrices would be too large.
 pub(super) fn no_rates(rates: &Problem) -> bool {
     if !dense_is_affordable(rates, 2) {
         return false;
@@ -199,8 +199,8 @@ fn from_scratch<'g>(
         _ => false,
     };
     let mut why = Doubt::RayWithoutProof;
-    // Distances beyond the end, in units of [`way_beyond`], are tried in turn, because at a short distance the search on the round cone may end
-    // undecided.
+    // Three distances beyond the end are tried in turn, because at a short distance the search on the round cone may end undecided. Their unit
+    // [`way_beyond`] is the change of the load factor that builds up the whole load.
     for part in [LITTLE_BEYOND, 1e-4, 1e-2] {
         match settle(&past(part), settings).0 {
             // The search has exceeded the allowed number of pivots of Lemke's method. At a larger distance it would exceed this number again, so no
@@ -210,8 +210,8 @@ fn from_scratch<'g>(
             }
             SearchOutcome::Undecided(doubt) => why = doubt,
             SearchOutcome::Found(found, _) => {
-                // If the forces found are nearly the forces at the end of the path, the search is repeated at load factors nearer to the end.
-                // Only the forces of another equilibrium stay different from the forces at the end.
+                // If the forces found are nearly the forces at the end of the path (see [`is_near`]), the search is repeated nearer to the end, at
+                // 1e-8 and 1e-10. There the forces of the path itself agree with those at the end even better; those of another equilibrium do not.
                 let is_another = !is_near(&found.forces, forces, part) || [1e-8, 1e-10].iter().any(another);
                 // Forces near those at the end may belong to the equilibrium of the path itself, which because of rounding seems to exist a little
                 // beyond the end. The answer is then undecided. If the forces differ, another equilibrium exists to which the grasp can snap over.
@@ -228,8 +228,8 @@ fn from_scratch<'g>(
 }
 
 /// Whether `found` could be the contact forces of a continued path at the distance `part` beyond its end, where the forces are `forces`. This
-/// requires that the force of each contact differs by at most √ε times the largest force, with the smaller ε of `part` and `LITTLE_BEYOND`. The root
-/// is taken because forces may change with the root of the distance, as next to a fold.
+/// requires that the force of each contact differs by at most √ε times the largest force, with ε = `part`, but at most 1e-6 ([`LITTLE_BEYOND`]). The
+/// root is taken because forces may change with the root of the distance, as next to a fold.
 fn is_near(found: &[SVector<f64, 3>], forces: &[SVector<f64, 3>], part: f64) -> bool {
     let largest = largest(forces, &nalgebra::Matrix::norm);
     let near = part.min(LITTLE_BEYOND).sqrt();

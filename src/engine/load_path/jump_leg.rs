@@ -9,10 +9,10 @@
 //! Σ G_i F_i + W + (1 - τ) Σ G_j (F_j - F_j') = 0,      τ from 0 to 1
 //! ```
 //!
-//! The path follows such a leg like any other. If another contact leaves its static cone on the leg, the force that it loses is added to the present
-//! external force. A new leg removes both. If the leg reaches its end, the jump has led to an equilibrium without an external force. Otherwise
-//! equilibrium is lost on the leg, and the path ends with this [`Loss`]. The external force stands for the damping forces of an overdamped motion, in
-//! which the object does not overshoot the new equilibrium.
+//! The leg of a jump is followed like any other leg. If another contact leaves its static cone on the leg, the force that it loses is added to what
+//! remains of the external force, and a new leg removes the sum. If the leg reaches its end, the jump has led to an equilibrium without an external
+//! force. Otherwise equilibrium is lost on the leg, and the path ends with this [`Loss`]. The external force stands for the damping forces of an
+//! overdamped motion, in which the object does not overshoot the new equilibrium.
 
 use nalgebra::{Matrix, SVector};
 
@@ -182,8 +182,8 @@ impl<'g> PiecewiseFollower<'g> {
         if begin.is_empty() {
             return Ok(None);
         }
-        // Contacts may alternate between sticking and sliding, with a jump each time. If friction falls only a little, there are very many jumps, so
-        // each jump counts as one of the limited number of steps.
+        // Contacts may alternate between sticking and sliding, with a jump each time: the smaller the fall of friction, the more jumps. Therefore
+        // each jump counts as one of the steps, whose number the settings limit.
         if self.pace.steps >= run.settings.most_steps {
             return Err(run.undecided(self.factor, Doubt::OutOfSteps));
         }
@@ -230,8 +230,8 @@ impl<'g> PiecewiseFollower<'g> {
         let inaccurate = || run.undecided(self.factor, Doubt::Inaccurate);
         let mut place = after_jump.present_piece(run).ok_or_else(inaccurate)?;
         if after_jump.node.turns() {
-            // If hardly anything resists a motion, the contact states alone do not give the twist accurately. Therefore the twist at the end of the
-            // jump's leg is stored with this point of the path, as for the end of an integration step. This step has the length zero.
+            // If springs resist a motion only weakly, a solution from the contact states alone does not give the twist accurately. Therefore the
+            // twist at the end of the jump's leg is stored with this point of the path, in the form of an integration step of length zero.
             place.there = after_jump.node.at.clone();
             place.arc_step = Some(ArcStep { unit: 1.0, length: 0.0, rule: Rule::Explicit });
         }

@@ -1,5 +1,7 @@
 //! [`Path`]: a load program being followed, from event to event or in numerical steps. The program consists of legs (sections); a piece is a part of
-//! a leg on which all contacts keep their states.
+//! a leg on which all contacts keep their states. A place is the index of a leg and the fraction of it that is done. The object snaps over if it
+//! jumps from a place at which the path of equilibria ends to another equilibrium. Motions are small within the limits up to which the linear theory
+//! is trusted. The engine computes with vectors of three components, also in the plane.
 
 use crate::numerics::IntoList;
 use core::fmt;
@@ -213,9 +215,10 @@ impl<'g, const C: usize, T> Path<'g, C, T> {
         self.0.beyond(None)
     }
 
-    /// Whether another equilibrium exists just beyond the loss of this one, with the slip so far. The search stays within the limits of `settings`.
-    /// It usually takes longer than following the path; in space it may have to exclude all combinations of contact states. If there are too many
-    /// contacts for this, only a virtual motion can prove a limit load. `None` if the path has not ended in a loss.
+    /// Whether another equilibrium exists at loads just beyond the load at which this path lost its equilibrium, with the slip so far. The search
+    /// stays within the limits of `settings`. It usually takes longer than following the path, since it may have to exclude all combinations of
+    /// contact states. If there are too many combinations, a limit load (no equilibrium beyond) can only be proved by a virtual motion along which
+    /// the load does more work than contact forces can take up. `None` if the path has not ended in a loss.
     #[must_use]
     pub fn beyond_with(&self, settings: &Settings) -> Option<Beyond<C>> {
         self.0.beyond(Some(settings))
@@ -279,8 +282,8 @@ impl<const C: usize> LoadPath<'_, C> {
 
     /// The equilibrium at a fraction (0 to 1) of a leg (from 0) that the path has passed or has reached; `None` for a place that it has not reached.
     /// If an event lies exactly at this place, the state is the equilibrium before the event. If directions of sliding turn, the integration step is
-    /// repeated up to this fraction with the same error bound. `None` if that fails because of rounding. `None` also between the load at which the
-    /// object snaps over and the slightly larger load at which it rests again.
+    /// repeated up to this fraction with the same error bound. `None` if that fails because of rounding. `None` also while the object snaps over,
+    /// i.e. jumps to another equilibrium: between the load at which it leaves the path and the slightly larger load at which it rests again.
     #[must_use]
     pub fn state_at(&self, leg: usize, fraction: f64) -> Option<Equilibrium<C>> {
         self.0.state_at(leg, fraction)
@@ -289,8 +292,8 @@ impl<const C: usize> LoadPath<'_, C> {
 
 impl<const C: usize> SteppedPath<'_, C> {
     /// Estimated error of the forces, relative to the largest force, everywhere on the path so far. It is the largest difference of a contact force
-    /// between this path and a second path. The second path makes one step where this path makes two half steps. For contacts that stop, open or
-    /// close, an estimate of the errors that both paths have in common is added. The true error is usually a third of the estimate.
+    /// between this path and a second path. The second path makes one step where this path makes two half steps. For contacts that stop sliding, open
+    /// or close, an estimate of the errors that both paths have in common is added. The true error is usually a third of the estimate.
     #[must_use]
     pub fn step_error(&self) -> f64 {
         self.0.step_error()

@@ -53,16 +53,17 @@ pub(crate) struct PiecewiseFollower<'g> {
     /// All pieces that the path has passed so far, the first one first, jumps (motions at constant load) included.
     pub(super) behind: Vec<StoredPiece<'g>>,
     pub(super) energy: Vec<LegEnergy>,
-    /// Number of pieces in a row, the last of which ends at the present point of the path, whose length is within the rounding error of this length.
-    /// Many such pieces mean that the path no longer advances, see `straight`.
+    /// Number of the latest pieces in a row that did not advance the path: each was no longer than the rounding error of its own length. More than 64
+    /// such pieces mean that rounding makes the path cycle between two continuations, see `straight`.
     pub(super) stalls: usize,
     pub(super) pace: Pace,
-    /// The load factor at which the path last treated a close sequence of events as one event; NaN if it has not done so on this leg.
+    /// The load factor at which events closer to each other than the error of a step were last treated as one event; NaN if there were none on this
+    /// leg.
     pub(super) gathered: f64,
     /// The load factor at which slips last ended on an arc of this leg, and the contacts whose slips ended there. NaN if none has ended yet.
     pub(super) stopped: (f64, Vec<usize>),
-    /// Number of times that the object has snapped over to another equilibrium on this leg, and the load factor at which the object last came to rest
-    /// after that.
+    /// Number of times that the object has snapped over (jumped to another equilibrium) on this leg, and the load factor at which the object came to
+    /// rest after the last of these jumps.
     pub(super) snapped: SnapCount,
     /// Sum of the estimated relative errors of the path so far: errors of integration steps along arcs, on which directions of sliding turn, and
     /// errors made by treating close events as one event.
@@ -298,8 +299,8 @@ impl<'g> PiecewiseFollower<'g> {
         worst <= ACCURATE || largest * worst.min(1.0) <= self.rounding_of_forces()
     }
 
-    /// The size, N, up to which contact forces at the present point of the path count as rounding errors. It is a small fraction of the largest force
-    /// on the path so far, or of the force that the displacements would cause in the softest spring.
+    /// The size, N, up to which contact forces at the present point of the path count as rounding errors. It is 1e-12 ([`WEIGHTLESS`]) of the larger
+    /// of two forces: the largest force on the path so far, and the force that the displacements would cause in the softest spring.
     fn rounding_of_forces(&self) -> f64 {
         let springs = softest_spring_force(&self.segment.problem_at(self.factor), &self.node.at.twist);
         WEIGHTLESS * self.segment.largest.max(springs)

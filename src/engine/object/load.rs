@@ -1,4 +1,5 @@
-//! The load on the object in twice the working precision: a wrench and its rounding error.
+//! The load on the object in twice the working precision: a wrench and its rounding error. The engine's unit of length for lever arms is the root
+//! mean square distance of the contacts from their centroid.
 
 use crate::numerics::Vector;
 

@@ -17,8 +17,8 @@
 //! h  <=  Σ c_i x_i + Σ r_i·v_i  +  |(Σ c_i G_i n + Σ G_i r_i)·δ|  +  Σ c_i (|G_i n·δ| - x_i)₊
 //! ```
 //!
-//! If this bound is below `W·v`, no equilibrium exists. The terms of opposed contacts cancel in the sum; the bound then grows only once one of
-//! these contacts opens.
+//! If this bound is below `W·v`, no equilibrium exists. In the term with δ outside the last sum, the contributions of contacts that press against
+//! each other cancel. The bound then grows with |δ| only once one of these contacts opens.
 
 use crate::contact::Resistance;
 use crate::grasp::Space;
@@ -26,10 +26,10 @@ use crate::numerics::{Vector, increasing, mapped, summed, total, unit};
 use crate::object::Problem;
 use crate::prelude::*;
 
-/// Returns a radius ρ such that no equilibrium exists at motions `q* + δ` of the object with δ within this radius. Within the radius, δ moves the
-/// centroid of the contacts by at most ρ, turns the object by at most ρ divided by the engine's unit of length, and moves each further coordinate by
-/// at most ρ. q* is the argument `at`, and `motion` is the virtual motion v of the proof. Infinite if it is proved that no equilibrium exists at all;
-/// `None` if nothing is proved even at q*.
+/// Returns a radius ρ, m, such that no equilibrium exists at motions `q* + δ` of the object with δ within this radius. Within the radius, δ moves the
+/// centroid of the contacts by at most ρ. It turns the object by at most ρ divided by the root mean square distance of the contacts from the
+/// centroid, and moves each further coordinate by at most ρ. q* is the argument `at`, and `motion` is the virtual motion v of the proof. Infinite if
+/// it is proved that no equilibrium exists at all; `None` if nothing is proved even at q*.
 pub(crate) fn nothing_near(problem: &Problem, at: &Vector, motion: &Vector) -> Option<f64> {
     let work = motion.dot(&problem.wrench);
     let mut size = motion.norm() * problem.wrench.norm();

@@ -8,7 +8,8 @@
 //! ```
 //!
 //! is a **separating motion**: γ·v >= 0 for all generators (no admissible contact force does negative work along v) and W·v = |v|² > 0 (the load does
-//! positive work along v). Stiffness, commands and history play no part in this.
+//! positive work along v). Stiffness, commands and history play no part in this. A separation is **clear**, beyond rounding, under two conditions.
+//! |v| exceeds 1e-9 of the load, and an equilibrium that rounding hides from the proof would have forces of at least 1e4 times load and commands.
 //!
 //! A round cone has infinitely many generators. But the generator that does the most negative work along a motion v is known: with u = G_iᵀv it lies
 //! along `e_n - μ u_t/|u_t|`. This generator is added to the generators of the sum. The sum is then minimised again, until no generator does negative
@@ -41,8 +42,9 @@ impl Generator {
         Self { contact, force: force / size, wrench: wrench / size }
     }
 
-    /// Negative work of the generator along a motion, per unit of normal force. The generator has a wrench of length one. With large friction its
-    /// normal force is small, so that forces of the size of the load need large multiples of it, and the work counts accordingly more.
+    /// Negative work of the generator, a unit wrench, along a motion, divided by the share of the normal component in its contact force. With large
+    /// friction this share is small. Contacts can then exert a large multiple of the generator with a small normal force, so that even little
+    /// negative work along the motion would refute the proof.
     fn works_against(&self, motion: &Vector) -> f64 {
         let normal = self.force[0] / self.force.norm();
         -self.wrench.dot(motion) / if normal > 0.0 { normal } else { 1.0 }
@@ -73,9 +75,9 @@ pub(crate) fn nearest_forces(
     // Generators of round cones that have been added to the sum. `nearest` identifies each generator by a number, its tag; their tags follow those of
     // `straight`.
     let mut joined: Vec<Generator> = Vec::new();
-    // Upper limit of the number of generators that are added: two hundred, and four more for each coordinate; above `MOST_COORDINATES`
-    // coordinates only two hundred. Cones that are not round rarely need so many. If the target is near the boundary of the sum of round cones,
-    // each new generator reduces the distance only by a constant factor.
+    // Upper limit of the number of generators that are added: two hundred, and four more for each coordinate; above `MOST_COORDINATES` coordinates
+    // only two hundred. The limit is reached rarely, if the target is near the boundary of the sum of round cones: each new generator then reduces
+    // the distance only by a constant factor.
     let each = if size.count() <= MOST_COORDINATES { 4 } else { 0 };
     let mut joins_left = 200 + each * size.count();
     let (motion, negative_work) = loop {
@@ -115,8 +117,8 @@ struct LoadAndCones<'p, 'g> {
     problem: &'p Problem<'g>,
     straight: Vec<Generator>,
     load: f64,
-    /// The size of load and commands: the norm of the load, plus the size of the forces with which the fingers squeeze, which may be far larger. A
-    /// proof is accepted only if an equilibrium that rounding hides from it would have forces far beyond this size.
+    /// The size of load and commands: the norm of the load, plus the size of the forces with which the fingers squeeze. A proof is accepted only if
+    /// an equilibrium that rounding hides from it would have forces of at least [`ESCAPE`] (1e4) times this size.
     data: f64,
 }
 
@@ -128,8 +130,8 @@ impl<'p, 'g> LoadAndCones<'p, 'g> {
         Some(Self { problem, straight, load, data: load + squeeze(problem) })
     }
 
-    /// The part of the load that the nearest admissible contact forces leave unbalanced, as a unit motion. `None` unless this motion clearly
-    /// separates the load from all admissible forces.
+    /// The part of the load that the nearest admissible contact forces leave unbalanced, as a unit motion. `None` unless this motion separates the
+    /// load from all admissible forces, clearly beyond rounding (see [`Self::is_proof`]).
     fn separating_motion(&self) -> Option<Vector> {
         let target = -&self.problem.wrench / self.load;
         let round = |v: &Vector| round_generators(self.problem, v).list();
@@ -138,7 +140,9 @@ impl<'p, 'g> LoadAndCones<'p, 'g> {
         self.is_proof(&v).then(|| v.normalize())
     }
 
-    /// Whether a motion, however it was found, separates the load from all admissible contact forces, clearly beyond rounding.
+    /// Whether a motion separates the load from all admissible contact forces, clearly beyond rounding. The motion may come from any method: its norm
+    /// must exceed the fraction [`CLEAR_RESIDUAL`] of the load. An equilibrium that rounding hides must have forces of at least [`ESCAPE`] times load
+    /// and commands.
     fn is_proof(&self, v: &Vector) -> bool {
         let mut negative_work = 0.0_f64;
         self.straight.iter().for_each(|g| negative_work = negative_work.max(g.works_against(v)));

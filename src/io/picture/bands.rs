@@ -14,7 +14,7 @@ pub(super) struct Bands {
     step: Option<f64>,
 }
 
-/// Approximate largest number of bands.
+/// Approximate largest number of bands. With many more, the colours of neighbouring bands would hardly differ.
 const MOST_BANDS: f64 = 12.0;
 /// Preferred numbers (ISO 3): ten, five, three and one per decade.
 const PREFERRED_NUMBERS: [&[f64]; 4] = [

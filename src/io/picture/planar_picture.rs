@@ -18,8 +18,8 @@ pub type Outline<'a> = &'a [[f64; 2]];
 /// A picture of a planar grasp: add an answer to it, then call [`Self::to_svg`]. Without an equilibrium it shows the grasp alone, and the load if
 /// given.
 ///
-/// Arrows are forces on the object. They have one scale, short enough that no force passes through the object. Friction cones are a little longer
-/// than the arrows of the normal forces in them. The load is drawn on its line of action, which is dashed. If that line does not pass near the grasp,
+/// Arrows are forces on the object. They have one scale, short enough that no force passes through the object. Friction cones are 1.15 times as long
+/// as the arrows of the normal forces in them. The load is drawn on its line of action, which is dashed. If that line does not pass near the grasp,
 /// the force is drawn in the middle of the grasp, with its moment about that point as an arc. A load that is a moment alone is such an arc, too. A
 /// force of the load that would be too short to be visible is drawn longer, and its label says so. All points of a [soft
 /// fingertip](crate::planar::SoftFingertip) have one force and one cone, at their centre of pressure. The points themselves are dots in the colours

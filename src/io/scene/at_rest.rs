@@ -1,5 +1,5 @@
 //! Warnings about contacts and links that press or pull with no force, or with another force than the scene states, in the equilibrium at rest. At
-//! rest means without load, or under the base load of a question.
+//! rest means without load, or under the base load of a question. A command is a prescribed displacement of a finger or joint.
 
 use super::link::LinkSetup;
 use super::question::Question;
@@ -17,9 +17,9 @@ use crate::numerics::summed;
 use crate::numerics::tolerances::NEGLIGIBLE;
 
 impl Setup<3> {
-    /// Whether the scene has a question in which nothing presses on any contact. Contacts are pressed by commands of fingers or joints, by the
-    /// constant load of a question (base load, or load at the start), and by an applied load in two cases. Such a load pushes the object onto a
-    /// contact, as a weight does, or it jams the object between contacts.
+    /// Whether the scene has a question in which nothing presses on any contact. Commands of fingers or joints press, and so does the constant load
+    /// of a question (base load, or load at the start). A load that the question adds presses if it pushes the object onto a contact, as a weight
+    /// does, or jams the object between contacts.
     ///
     /// Three kinds of question are not tested: `solve` with a load, `need` of an arm, and `identify` of forces under the base load. For a scene
     /// without questions, the result is whether no command presses; for a scene without contacts it is false.
@@ -49,8 +49,8 @@ impl Setup<3> {
         Ok(self.questions.is_empty())
     }
 
-    /// Whether a load presses an object onto a contact, as a weight presses an object onto a table, even if no command presses. A link that cannot go
-    /// slack, such as a hinge, holds the object under any load and counts as such a contact.
+    /// Whether a load presses an object onto a contact, as a weight presses an object onto a table, even if no command presses. Also true if the
+    /// scene has a link that cannot go slack, such as a hinge: this link holds the object under any load.
     fn lies_on_a_contact(&self, load: &Wrench<3>) -> bool {
         let force = &load.components()[..3];
         let size = summed(force, &|x| x * x).sqrt();
@@ -88,7 +88,8 @@ impl Setup<3> {
     }
 
     /// Warnings about contacts and links whose force at rest differs from the force that the scene states. The equilibria without load and under the
-    /// base load of each question are examined. The warnings are those of the equilibrium that has the fewest.
+    /// base load of each question are examined, since the scene does not say for which of them it states the forces. The equilibrium with the fewest
+    /// warnings is taken as the intended one, and its warnings are returned.
     pub(super) fn otherwise_at_rest(&self, grasp: &Grasp<3>) -> Result<Vec<Warning>, Error> {
         let is_pretensioned =
             |entry: &LinkSetup<3>| entry.link.tension.is_none() && entry.link.pretension != 0.0;

@@ -14,7 +14,8 @@ pub(super) fn with_centre_of_mass(text: &[u8]) -> Option<Vec<u8>> {
 }
 
 impl<const C: usize> Setup<C> {
-    /// A question or a load in JSON, with the masses, centres of mass and gravity that a scene adds to its loads; `None` if it lacks none of them.
+    /// A question or a load in JSON, completed with the masses, centres of mass and gravity that a scene adds to loads without them. `None` if there
+    /// is nothing to add.
     #[must_use]
     pub fn completed(&self, question: &Value) -> Option<Value> {
         if !self.shared_by_mass && self.gravity.is_none() {

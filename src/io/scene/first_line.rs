@@ -121,8 +121,8 @@ fn solved<const C: usize>(under: &str, answer: &SolveAnswer<C>, words: Words) ->
     }
 }
 
-/// `sentence`, which is about an equilibrium, preceded by a caution if the motions of this equilibrium are not small or it buckles: "BUCKLES: it
-/// buckles: …. Otherwise EQUILIBRIUM".
+/// `sentence`, which is about an equilibrium. A caution precedes the sentence if the motions of this equilibrium are not small, a suction cup leaks
+/// or the grasp buckles: "BUCKLES: it buckles: …. Otherwise EQUILIBRIUM".
 fn after_caution<const C: usize>(state: &Equilibrium<C>, words: Words, sentence: String) -> String {
     match &state.too_far {
         Some(far) => format!("{}: {}. Otherwise {sentence}", LossVerb::from(far), far.reason(words)),

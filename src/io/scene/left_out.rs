@@ -16,7 +16,8 @@ use crate::need::Amount;
 use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::numerics::{IntoList, mapped};
 
-/// Default stiffness of a contact in all directions, N/m.
+/// Stiffness in all directions, N/m, of a contact for which the scene gives none. If an answer depends on this value, a warning says so, see
+/// [`Setup::stiffness_left_out`].
 pub(super) const DEFAULT_STIFFNESS: f64 = 1e4;
 
 impl Setup<3> {

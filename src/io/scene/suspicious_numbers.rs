@@ -1,5 +1,5 @@
 //! Suspicious numbers in a scene: friction in percent, lengths in mm, masses in g, angles in degrees, normals that point outwards, and contacts that
-//! are given twice. The base load of a question acts before its other loads.
+//! are given twice. The base load of a question acts before its other loads. An outline is a closed line, which bounds an object in the plane.
 
 use core::f64::consts::TAU;
 
@@ -83,9 +83,9 @@ impl Setup<3> {
         for (i, (entry, contact)) in entries.iter().zip(grasp.engine.wholes().iter()).enumerate() {
             let points: Vec<_> = mapped(&grasp.contacts()[contact.range.clone()], &|c| c.point);
             let wide = spread(&points);
-            // A patch may be wider than the distance of the contacts, as on stacked pallets or sheets. A patch is suspicious if it is wider than 2 m
-            // and wider than ten times that distance, such as a pad of a few mm whose width was read in m. A patch that is the only contact is hardly
-            // wider than ten metres.
+            // A patch is the area over which the points of a soft fingertip or pad are spread. It may be wider than the distance of the contacts, as
+            // on stacked pallets or sheets. A patch is suspicious if it is wider than 2 m and wider than ten times that distance, such as a pad of a
+            // few mm whose width was read in m. A patch that is the only contact is hardly wider than ten metres.
             let most = if size > 0.0 { f64::max(2.0, 10.0 * size) } else { 10.0 };
             if wide > most && !is_wide {
                 is_wide = true;
@@ -102,7 +102,7 @@ impl Setup<3> {
         }
         for (contact, entry) in self.entries().enumerate() {
             let (point, normal) = (entry.contact.point(), entry.contact.normal);
-            // An outline bounds the object in the plane only.
+            // In space an outline does not bound the object, and is only drawn.
             if self.space == Space::Planar && points_out(self.outline_around(entry), &point, &normal) {
                 warnings.push(Warning::PointsOut { contact, name: entry.contact.label_text(contact) });
             }
@@ -116,7 +116,8 @@ impl Setup<3> {
         self.bodies.iter().find(|body| body.name == *on).map_or(&[], |body| &body.outline)
     }
 
-    /// Warnings about loads that act far outside of the grasp, or that exceed the pressing forces by far.
+    /// Warnings about loads that act far outside of the grasp (see [`far_load`]), or that exceed a hundred times the load that friction under the
+    /// pressing forces can carry.
     pub(super) fn odd_loads(&self) -> Vec<Warning> {
         let mut warnings = Vec::new();
         let (mut pressed, mut carried) = (0.0, 0.0);
@@ -175,8 +176,8 @@ impl Setup<3> {
         (centre, spread(&points))
     }
 
-    /// A warning if several contacts all press away from their common centre. With an outline or with bodies no warning is given, since they show
-    /// whether the contacts are fingers in a hole.
+    /// A warning if several contacts all press away from their common centre, so that their normals may have the wrong sign. A scene with an outline
+    /// or with bodies gets no warning: there the contacts may be fingers that press outwards in a hole.
     fn outwards(&self, entries: &[&Fingertip<3>]) -> Option<Warning> {
         let count = entries.len() as f64;
         let centre =

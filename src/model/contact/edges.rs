@@ -136,7 +136,7 @@ fn local_minima(of: &dyn Fn(f64) -> f64) -> Vec<f64> {
 
 impl LocalLaw<'_> {
     /// The conditions under which a contact keeps sticking; for an open contact, the condition that its gap (the first component) stays nonnegative.
-    /// An absent or bonded contact has no conditions.
+    /// A bonded contact, which neither opens nor slips, has no conditions, and neither has an absent one.
     pub(crate) fn edges(&self, state: &State) -> Edges {
         if self.is_absent() || self.is_bonded() {
             return Edges::Rows(Vec::new());

@@ -19,8 +19,9 @@ pub(crate) const WEIGHTLESS: f64 = 1e-12;
 /// subnormal and loses its relative precision.
 pub(crate) const SMALLEST: f64 = 1e-250;
 
-/// A sector of friction directions is divided only if it is wider than this angle, rad. Fingers whose normals deviate from symmetry by 1e-8 may wedge
-/// the object; slip directions therefore matter down to this angle. In narrower sectors the contact law is violated only by rounding.
+/// Narrowest sector, rad, of friction directions that a proof on the round cone still divides. The proof splits the states of each contact into ever
+/// narrower sectors, until none of them allows an equilibrium. Fingers whose normals deviate from symmetry by 1e-8 may wedge the object; slip
+/// directions therefore matter down to this angle. In narrower sectors the contact law is violated only by rounding.
 ///
 /// With a smaller width, the search also divides sectors in which the law is violated only by rounding. With a larger width, grasps that wedge the
 /// object remain undecided.

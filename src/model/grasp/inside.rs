@@ -30,8 +30,8 @@ impl Engine {
         }
     }
 
-    /// Converts a wrench on the object, or on the body that has the object's coordinates, to the engine's coordinates: about the centroid of the
-    /// contacts, scaled.
+    /// Converts a wrench on the object to the engine's coordinates: moments about the centroid of the contacts, with arms in the engine's unit of
+    /// length. With several bodies the object is the body on which the loads of questions act.
     pub(crate) fn on_object(&self, wrench: &Wrench<3>) -> Vector {
         self.per_length(self.space.moved_wrench(&-self.origin, &wrench.coordinates(self.space)))
     }

@@ -8,8 +8,8 @@
 //! translation  R(θ/2) (s u⊥ + u∥),      s = sin(|θ|/2) / (|θ|/2)   (chord over arc)
 //! ```
 //!
-//! Any other rigid motion that agrees with the twist to first order differs from this one to second order, which first-order answers do not
-//! determine. The exponential map does not depend on the frame: a pure rotation about a pivot remains a pure rotation about this pivot for every
+//! Any other rigid motion that agrees with the twist to first order differs from the exponential map to second order, which first-order answers do
+//! not determine. The exponential map does not depend on the frame: a pure rotation about a pivot remains a pure rotation about this pivot for every
 //! choice of the origin.
 //!
 //! Nothing in the library calls these functions. Since they are marked `inline`, only a program that calls them compiles them and nalgebra's
@@ -24,8 +24,8 @@ use super::wrench::Twist;
 impl Twist<2> {
     /// The rigid motion of this twist, by the exponential map. The twist has the translation u of the origin and the rotation θ. The object turns by
     /// θ, and its origin moves by `s R(θ/2) u`. Here R(θ/2) is the rotation by half the angle, and `s = sin(|θ|/2) / (|θ|/2)` the ratio of chord to
-    /// arc. Other rigid motions that agree with the twist to first order differ from this one only to second order. This one turns about a single
-    /// pivot, for every choice of the origin.
+    /// arc. Other rigid motions that agree with the twist to first order differ from the exponential map only to second order. The exponential map
+    /// turns the object about a single pivot, which does not depend on the choice of the origin.
     ///
     /// ```
     /// use grasp_lcp::{nalgebra::Point2, planar::Twist};
@@ -66,8 +66,9 @@ impl Twist<2> {
 impl Twist<3> {
     /// The rigid motion of this twist, by the exponential map. The twist has the rotation vector θ and the translation u of the origin, with the
     /// component u∥ along θ and u⊥ across. The object turns by |θ| about θ, and its origin moves by `R(θ/2) (s u⊥ + u∥)`. Here R(θ/2) is the rotation
-    /// by θ/2, and `s = sin(|θ|/2) / (|θ|/2)` the ratio of chord to arc. Other rigid motions that agree with the twist to first order differ from
-    /// this one only to second order. This one is a screw motion about a single line, for every choice of the origin.
+    /// by θ/2, and `s = sin(|θ|/2) / (|θ|/2)` the ratio of chord to arc. Other rigid motions that agree with the twist to first order differ from the
+    /// exponential map only to second order. The exponential map is a screw motion about a single line, which does not depend on the choice of the
+    /// origin.
     ///
     /// ```
     /// use grasp_lcp::{nalgebra::Point3, spatial::Twist};

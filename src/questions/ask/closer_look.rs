@@ -13,8 +13,9 @@ impl<const C: usize> Grasp<C> {
     /// All equilibria under a load, for few contacts, by trying every combination of contact states. The equilibrium that [`Self::solve`] returns is
     /// among them.
     ///
-    /// On the round cone the list may be incomplete: it has that equilibrium, and those that Newton's method reaches from the equilibria on the
-    /// polygonal cone. An empty list does not prove that no equilibrium exists: [`Self::solve`] returns a proof if it finds one. An equilibrium that
+    /// On the round cone the list may be incomplete. It has the equilibrium of [`Self::solve`], and those that Newton's method reaches from the
+    /// equilibria on the polygonal cone. An empty list does not prove that no equilibrium exists: [`Self::solve`] returns a proof if it finds one. An
+    /// equilibrium that
     /// satisfies several combinations, as with a contact exactly on the edge of its cone, is listed once. If equilibria form a line, one of its
     /// points is listed, with the directions of the line in [`neutral_motions`](Equilibrium::neutral_motions).
     ///
@@ -61,8 +62,9 @@ impl<const C: usize> Grasp<C> {
 
     /// For each contact, whether its state (open, sticking, sliding) can be distinguished from neighbouring states in working precision.
     ///
-    /// A state has conditions on gap, normal force, friction margin and slip. Each condition is a difference of two terms. The state is distinct if
-    /// each difference exceeds 1e-12 of its terms, and ten times the estimated error from [`Self::accuracy`]. If the answer is `false`, the last
+    /// A state has conditions on gap, normal force, friction margin (`μ F_n - |F_t|`) and slip. Each condition is a difference of two terms. The
+    /// state is distinct if each difference exceeds 1e-12 of its terms, and ten times the estimated error from [`Self::accuracy`]. If the answer is
+    /// `false`, the last
     /// digits of the data determine, say, whether the contact sticks or just slides. Forces and displacements hardly depend on this. `None` for an
     /// equilibrium with another number of contacts.
     ///
@@ -148,7 +150,8 @@ impl<const C: usize> Grasp<C> {
 
     /// The [force form](crate::forms) of the linear complementarity problem under a load. Its unknowns are the contact forces, and the twist as a
     /// difference of two non-negative parts ([`Row::Balance`](crate::forms::Row::Balance)). Force components that may have either sign have no rows
-    /// of their own; they enter the balance rows as stiffness. Contacts that are bonded, kept closed or have infinite friction have such components.
+    /// of their own; they enter the balance rows as stiffness. These are all components of bonded contacts (which neither open nor slip), the normal
+    /// force of contacts that are kept closed, and the tangential force of contacts with infinite friction.
     /// `None` if a number overflows. In the plane `cone` is ignored.
     ///
     /// ```

@@ -1,5 +1,6 @@
 //! Reusable memory for computing many first slips, one after another, in loops that must not wait for an allocator. At first slip the first contact
-//! stops sticking. On a ramp a load, commands of fingers, or both change in proportion to a load factor, in addition to a constant base load.
+//! stops sticking. On a ramp a load, commands of fingers, or both change in proportion to a load factor, in addition to a constant base load. The
+//! engine computes with vectors of three components, also in the plane.
 
 use super::grasp::Grasp;
 use crate::equilibrium::Settings;
@@ -11,10 +12,10 @@ use crate::numerics::Memory;
 /// Reusable memory for computing many first slips, one after another, in loops that must not wait for an allocator. Grasp and ramp may differ from
 /// call to call. The answers equal those of [`Grasp::onset`].
 ///
-/// From the second call on no memory is allocated if the grasp has no more contacts than before, and one contact clearly stops sticking first. Memory
-/// is allocated if several contacts reach the edges of their cones together, or a gap closes before the first slip. It is also allocated if some
-/// contact does not clearly stick under the base load. In these cases the states of contacts have to be searched for. The first call with a grasp
-/// allocates its factorised matrices; with more than 256 contacts every call does.
+/// From the second call on no memory is allocated if the grasp has no more contacts than before, and a single contact stops sticking first. Memory is
+/// allocated if several contacts reach the edges of their cones together up to rounding, or a gap closes before the first slip. It is also allocated
+/// if a contact slides under the base load, or sticks there only up to rounding. In these cases the states of contacts have to be searched for. The
+/// first call with a grasp allocates its factorised matrices; with more than 256 contacts every call does.
 ///
 /// ```
 /// use grasp_lcp::planar::{Contact, Grasp, OnsetWorkspace, Ramp, Wrench};

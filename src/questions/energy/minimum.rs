@@ -1,9 +1,9 @@
 //! The minimum of potential energy under friction constraints, computed such that large ratios of stiffnesses do not enlarge rounding errors.
 //!
 //! The quadratic program is solved through its optimality conditions (`optimality`). Lemke's method finds the open gaps and the binding friction
-//! constraints. The springs that remain active then determine the minimum. The multipliers of the constraints are forces on the **object** that no
-//! contact exerts. The minimum is an equilibrium exactly if these forces have no resultant force and moment. The command of a contact is the
-//! displacement that its finger would make without the object.
+//! constraints. The minimum is then computed anew from the active springs: all springs except the normal springs of contacts with open gaps. The
+//! multipliers of the constraints are forces on the **object** that no contact exerts. The minimum is an equilibrium exactly if these forces have no
+//! resultant force and moment. The command of a contact is the displacement that its finger would make without the object.
 
 use nalgebra::{Matrix, SVector};
 
@@ -68,17 +68,18 @@ impl<const C: usize> MinimumOutcome<C> {
 /// ```
 ///
 /// The multiplier λ of the friction constraint of contact i at facet h acts on the object like a force that no contact exerts:
-/// `Σ G_i F_i + W = Σ λ G_i K_i (μ e_n - h)`. A contact with infinite friction has the constraint F_n >= 0 instead of a gap. With a gap, no friction
-/// constraint would keep it from transmitting F_t across the gap, as in the program that the paper prints (see [`energy`](crate::energy)).
+/// `Σ G_i F_i + W = Σ λ G_i K_i (μ e_n - h)`. A contact with infinite friction has no friction constraint. If it had a gap, it could therefore
+/// transmit a tangential force F_t across the open gap. It has the constraint F_n >= 0 instead of a gap. (The quadratic program of the paper that
+/// [`energy`](crate::energy) cites has the gap.)
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct MinimumEnergy<const C: usize> {
-    /// The load of the question, N and N m, without the permanent loads of bodies.
+    /// The load of the question, N and N m, without the permanent loads of bodies, which are part of the grasp and act in every question.
     pub load: Wrench<C>,
-    /// Motion of the object about the origin at the minimum, m and rad. If some motions stretch no active spring, it is usually the motion of least
-    /// norm.
+    /// Motion of the object about the origin at the minimum, m and rad. The active springs are all springs but the normal springs of open gaps. If
+    /// some motions stretch no active spring, the twist is usually the solution of least norm.
     pub twist: Twist<C>,
     /// Forces, displacement and gap of each contact, in the order of the grasp.
     pub contacts: Vec<MinimumContact<C>>,
@@ -95,8 +96,9 @@ pub struct MinimumEnergy<const C: usize> {
     /// loads of bodies and the pull of vacuums.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub potential_energy: f64,
-    /// Motions that stretch no active spring: the twist is determined up to them. They are orthogonal to each other and have unit size, in which a
-    /// rotation is measured in radians times the root mean square distance of the contacts from their centroid.
+    /// Motions that stretch no active spring (all springs but the normal springs of open gaps): the twist is determined up to them. They are
+    /// orthogonal to each other and have unit size, in which a rotation is measured in radians times the root mean square distance of the contacts
+    /// from their centroid.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub free_motions: Vec<Motion<C>>,
     /// Number of pivots of Lemke's method; 0 if the state in which everything sticks is the minimum.
@@ -122,7 +124,8 @@ pub(super) struct Inside {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct MinimumContact<const C: usize> {
-    /// Force on the object in the contact frame, N. Its first entry, the normal force, is not negative unless the contact is bonded or kept closed.
+    /// Force on the object in the contact frame, N. Its first entry, the normal force, is not negative unless the contact is bonded (neither opens
+    /// nor slips) or kept closed (may slip, but not open).
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
     pub force: SVector<f64, C>,
     /// The same force on the object along the coordinate axes, N.

@@ -5,8 +5,8 @@
 
 /// Forces, velocities, singular values and derivatives below this fraction of the largest are taken as zero.
 ///
-/// Difference quotients are accurate to about 1e-8. If this fraction were smaller, combinations that no slip determines would get values whose errors
-/// are due to rounding. If larger, combinations that slips determine weakly would be taken as undetermined.
+/// Difference quotients are accurate to about 1e-8. If this fraction were smaller, combinations of unknowns (such as products) that no slip
+/// determines would get values that are only rounding. If larger, combinations that slips determine weakly would be taken as undetermined.
 pub(super) const INDISTINCT: f64 = 1e-6;
 
 /// Components below this fraction of the largest are taken as zero in a combination of unknowns that slips do not determine. The answer then names

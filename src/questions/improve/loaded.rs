@@ -1,5 +1,6 @@
-//! The loads of a question, and the load factor of first slip under them. It is the multiple of a load at which the first contact stops sticking. The
-//! base load acts before the other loads grow. The goal, first slip or a reserve of friction, is the value that the search maximises.
+//! The loads of a question, and the load factor of first slip under them: the multiple of a load at which the first contact stops sticking. The base
+//! load acts before the other loads grow. The goal, the load factor of first slip or a reserve of friction, is the value that the search for better
+//! contact points and commands maximises.
 
 use super::goal::ImproveGoal;
 use super::question::Improve;

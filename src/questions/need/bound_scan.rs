@@ -1,5 +1,6 @@
-//! A scan: trials of further amounts on both sides of the bound (the least or greatest sufficient amount) after a search has found it. An amount is
-//! sufficient if the grasp meets the demand with it, e.g. holds the object. At rest means under the loads that act before the loads of the question.
+//! A scan: trials of further amounts on both sides of the bound (the least or greatest sufficient amount) after a search has found it. An amount (of
+//! squeeze, friction, load, arm or angle) is sufficient if the grasp meets the demand with it, e.g. holds the object. The trial of an amount gives
+//! the verdict: sufficient, insufficient or undecided. At rest means under the loads that act before the loads of the question.
 //!
 //! Easier amounts are larger if the least amount is sought, smaller if the greatest is sought; harder amounts are the opposite. The scan finds the
 //! far end, which is the last sufficient amount on the easier side of the bound, and further intervals of sufficient amounts. The carried part of the
@@ -31,14 +32,14 @@ pub(super) struct BoundScan {
 }
 
 impl SearchPlan {
-    /// The amounts to try on one side of `from`: `count` amounts above it if `up`, else below it, up to a factor of 4 away. If `coarse`, there is one
-    /// more amount, 16 times as large or small as `from`. Amounts outside the range of the plan are not tried. If a proof excludes all harder amounts
-    /// (less squeeze, more load) from less than a factor of 4 on, the amounts extend to this proved end.
+    /// The amounts to try on one side of `from`: `count` amounts above it if `up`, else below it, up to a factor of 4 away. On the harder side (less
+    /// squeeze, more load) they extend only to the end of the range that a proof gives, if this end is nearer. If `coarse`, there is one more amount,
+    /// 16 times as large or small as `from`. Amounts outside the range of the plan are not tried.
     fn scanned(&self, from: f64, up: bool, count: usize, coarse: bool) -> Vec<f64> {
         let to_the_end = self.end(up).filter(|_| up != self.is_least).map(|end| (end / from).max(from / end));
         let most = to_the_end.filter(|ratio| *ratio > BETWEEN_STATES).map_or(4.0, |ratio| ratio.min(4.0));
-        // The k-th of n amounts has the ratio 4^((k/n)³) to `from`, so that amounts lie close together near the bound of the sufficient amounts. With
-        // a larger ratio than 4 they would be farther apart.
+        // The k-th of n amounts has the ratio r^((k/n)³) to `from`, with r = `most`, so that amounts lie close together near the bound of the
+        // sufficient amounts. With r above 4 they would be so far apart that intervals of insufficient amounts near the bound could be missed.
         let mut parts = numbered(count, &|k| most.powf(((k + 1) as f64 / count as f64).powi(3)));
         // A drive may reach its limit only at a far larger squeeze or force, which a ratio of 4 would miss.
         parts.extend((coarse && count > 0).then_some(16.0));
@@ -46,7 +47,8 @@ impl SearchPlan {
         picked(&parts, &|part| Some(amount(part)).filter(|amount| self.contains(*amount)))
     }
 
-    /// Amounts far below `from`, which are tried if a greatest amount is sought; see [`TOWARDS_ZERO`].
+    /// `from` divided by 16, 256 and 65536 ([`TOWARDS_ZERO`]), as far as these amounts are in the range of the plan. They are tried if a greatest
+    /// amount is sought, because a very small amount may be insufficient although larger ones are sufficient.
     fn towards_zero(&self, from: f64) -> Vec<f64> {
         picked(&TOWARDS_ZERO, &|ratio| Some(from / ratio).filter(|amount| self.contains(*amount)))
     }
@@ -66,9 +68,11 @@ impl SearchPlan {
 impl BoundScan {
     /// Tries amounts on both sides of a bound of the sufficient amounts, within the range in which contact forces can balance the loads. `scan` of
     /// these amounts are new, half of them on each side; the amounts in `known` are included. One more amount, 16 times as large or as small as the
-    /// bound, is tried on the harder side (less squeeze, more load), and on the easier side if `far`. On the easier side amounts at the proved end of
-    /// the range are tried, too, and amounts beyond the first amount of the search ([`NEAR_THE_START`], [`TOWARDS_ZERO`]). Nothing is tried if
-    /// `plan.is_monotone`: every easier amount than a sufficient one is then sufficient, too.
+    /// bound, is tried on the harder side (less squeeze, more load), and on the easier side if `far`.
+    ///
+    /// On the easier side further amounts are tried. Two lie at the end of the range that a proof gives. If the first amount of the search is far
+    /// easier than the bound, three ([`NEAR_THE_START`]) lie beyond this first amount. If a greatest amount is sought, three lie far below
+    /// ([`TOWARDS_ZERO`]). Nothing is tried if `plan.is_monotone`: every easier amount than a sufficient one is then sufficient, too.
     pub(super) fn of(
         bound: &Threshold,
         scan: usize,
@@ -102,8 +106,8 @@ impl BoundScan {
                 amounts.extend(mapped(known, &|(at, _)| *at));
             }
             in_order(&mut amounts, up);
-            // A full trial of the easiest amount (most squeeze, least load) finds the directions in which a force of any direction is not carried.
-            // The shorter trials of the other amounts on this side then include these directions.
+            // If the question has a force of any direction, the easiest amount (most squeeze, least load) gets a full trial. This trial finds the
+            // directions in which the force is not carried; the shorter trials of the other amounts on this side then include them.
             if let (true, true, Some(&last)) = (tries.learns, is_beyond, amounts.last()) {
                 tries.at(last)?;
             }
@@ -197,11 +201,14 @@ impl BoundScan {
     }
 }
 
-/// Tries at most [`BETWEEN`] further amounts, each between two neighbouring `known` amounts with the same verdict, where this verdict may change.
-/// Such an amount lies where the whole load [might be carried](where_all_might_be_carried), or beyond the amount at which a margin is
-/// [predicted](where_a_margin_vanishes) to be zero. It may also lie in the middle of two amounts with [different contact states](states_differ) at
-/// rest: where these states change, the carried part of the load may jump. Returns whether the verdict on one of the further amounts differs from the
-/// verdict on its neighbours.
+/// Tries at most five ([`BETWEEN`]) further amounts. Each lies between two neighbouring `known` amounts with the same verdict (sufficient or not),
+/// where an amount with the other verdict may hide. Returns whether one of the further amounts has the other verdict. There are three reasons to try
+/// an amount:
+///
+/// * both neighbours are insufficient, but an amount between them [might carry the whole load](where_all_might_be_carried);
+/// * both neighbours are sufficient, but a margin (the carried multiple of the load less 1, or the distance to a limit) is
+///   [predicted to be zero](where_a_margin_vanishes) between them;
+/// * the [contact states at rest differ](states_differ) between the neighbours: where these states change, the carried part of the load may jump.
 pub(super) fn between_known(
     known: &[(f64, Trial)],
     is_claimed: &dyn Fn(f64) -> bool,
@@ -224,8 +231,9 @@ pub(super) fn between_known(
     Ok(is_new)
 }
 
-/// An amount between two neighbouring insufficient amounts, with which the whole load might be carried. It lies a little beyond the bound that is
-/// estimated from the neighbour that carries more of the load. If there are several such amounts, the one whose neighbour carries most is returned.
+/// An amount between two neighbouring insufficient amounts, with which the whole load might be carried. A bound of the sufficient amounts is
+/// estimated from the neighbour that carries more of the load. The amount lies a tenth ([`BEYOND_A_MARGIN`]) of the way from this bound to the other
+/// neighbour. If there are several such amounts, the one whose neighbour carries most is returned.
 fn where_all_might_be_carried(list: &[(f64, Trial)], plan: &SearchPlan) -> Option<f64> {
     let beyond = |here: &(f64, Trial), next: &(f64, Trial)| {
         let fail = !here.1.is_sufficient() && !next.1.is_sufficient();
@@ -244,7 +252,8 @@ fn where_all_might_be_carried(list: &[(f64, Trial)], plan: &SearchPlan) -> Optio
 }
 
 /// The geometric mean of two neighbouring amounts with the same verdict but different contact states at rest, and whether these two amounts are
-/// sufficient. Of several such pairs, the pair with the largest ratio is taken; pairs within a ratio of [`FAR_FROM_START`] to `near` come first.
+/// sufficient. Of several such pairs, the pair with the largest ratio is taken. Pairs of amounts from `near / 16` to `16 near` ([`FAR_FROM_START`])
+/// come first.
 fn states_differ(list: &[(f64, Trial)], near: f64, tries: TrialFunctions<'_>) -> Option<(f64, bool)> {
     let differ = |pair: &[(f64, Trial)]| {
         let [(one, trial), (other, next)] = [&pair[0], &pair[1]];
@@ -264,8 +273,10 @@ fn states_differ(list: &[(f64, Trial)], near: f64, tries: TrialFunctions<'_>) ->
     Some(((widest[0].0 * widest[1].0).sqrt(), widest[0].1.is_sufficient()))
 }
 
-/// An amount between two neighbouring sufficient amounts, a little beyond the amount at which one of the two [margins](Trial::measures) is predicted
-/// to be zero. The prediction extrapolates the margin linearly from the first of the two neighbours and the sufficient amount before it.
+/// An amount between two neighbouring sufficient amounts, where one of two [margins](Trial::measures) may be negative. One margin is the carried
+/// multiple of the load less 1, the other the distance to the limit of small motions or of sticking at rest. The margin is extrapolated linearly from
+/// the first neighbour and the sufficient amount before it. The amount lies a tenth ([`BEYOND_A_MARGIN`]) of the way from its predicted zero to the
+/// second neighbour.
 fn where_a_margin_vanishes(list: &[(f64, Trial)]) -> Option<f64> {
     let beyond = |[before, here, next]: [&(f64, Trial); 3]| {
         let root = |which: usize| {

@@ -1,6 +1,7 @@
 //! Answers a [`Need`]: the sought amount (of squeeze, friction, load, arm or angle), the amount with which nothing slides, and a safe amount. An
-//! amount is sufficient if the grasp meets the demand with it; the bound is the least or greatest sufficient amount. At rest means under the loads
-//! that act before the loads of the question.
+//! amount is sufficient if the grasp meets the demand with it, e.g. the object is held or nothing slides. The trial of an amount computes whether the
+//! amount is sufficient. The bound is the least or greatest sufficient amount. At rest means under the loads that act before the loads of the
+//! question.
 //!
 //! Easier amounts are larger if the least amount is sought, smaller if the greatest is sought; harder amounts are the opposite. The far end is the
 //! last sufficient amount on the easier side of the bound. A scan tries further amounts on both sides of a bound that is already found. A safe amount
@@ -64,8 +65,8 @@ impl Need<3> {
         }
         let mut trials = TrialRecord::new(grasp, &asked, SafetyDeviations::NONE, start(grasp, &asked));
         let amount = amount(&trials, asked.demand, SearchExtent::Around)?;
-        // If the first amount of the search is too large, so that the object is not held, the amount with which nothing slides is sought from the
-        // largest amount that holds the object.
+        // The first amount of the search may be too large, so that the object is not held. The search for the amount with which nothing slides then
+        // begins at the largest amount that holds the object.
         if let Amount::Bound { until: Some(end), .. } | Amount::Any { until: Some(end), .. } = &amount
             && asked.quantity().is_least()
         {
@@ -155,7 +156,8 @@ fn amount(tried: &TrialRecord<'_>, demand: Demand, look: SearchExtent) -> Result
     let whole = |amount: f64| tried.at(amount, demand, false);
     let quick = |amount: f64, short: bool| tried.quick(amount, demand, short);
     let learns = matches!(need.loads, Loads::AnyForce { .. });
-    // A force of any direction takes fifty to some hundreds of verdicts in a full trial, so a quick trial (in few directions) replaces it.
+    // For a force of any direction, a full trial of one amount computes fifty to some hundreds of verdicts, one for each direction tried. The short
+    // trial is then a quick one, only in directions that are known to be weak.
     let short = |amount: f64| if learns { quick(amount, true) } else { tried.at(amount, demand, true) };
     let rests_otherwise = |one: f64, other: f64| tried.rests_otherwise(one, other);
     let rest_ends = |sufficient: f64, insufficient: f64| tried.rest_ends(sufficient, insufficient);
@@ -185,8 +187,8 @@ fn amount(tried: &TrialRecord<'_>, demand: Demand, look: SearchExtent) -> Result
             None => found.any(&plan, to),
         },
         BoundSearch::Nothing(mut vain) => {
-            // `vain` are the amounts tried, none of which is sufficient. With `SearchExtent::Towards` the amount with which nothing slides is sought.
-            // If the verdict on sticking is decided for some amounts, the amounts with an undecided verdict are dropped.
+            // `vain` are the amounts tried, none of which is sufficient. `SearchExtent::Towards` means that the amount with which nothing slides is
+            // sought. If it is decided for some amounts whether something slides, the undecided amounts are dropped, so that the answer is decided.
             if look == SearchExtent::Towards && vain.iter().any(|(_, trial)| trial.carried().is_some()) {
                 vain.retain(|(_, trial)| trial.carried().is_some());
             }
@@ -195,8 +197,9 @@ fn amount(tried: &TrialRecord<'_>, demand: Demand, look: SearchExtent) -> Result
     }
 }
 
-/// The answer if no amount is sufficient. Without a proof, one undecided verdict makes the answer undecided. Otherwise `best` is the first of the
-/// amounts with which most of the load is carried.
+/// The answer if no amount of `vain`, the amounts tried with their results, is sufficient. Without the proof `proof` one undecided trial makes the
+/// answer undecided. Otherwise the amount `best` of the answer is the first amount with which most of the load is carried. With a proof the answer
+/// states that all amounts within `limits` are excluded.
 pub(super) fn nothing_suffices(vain: Vec<(f64, Trial)>, limits: [f64; 2], proof: Option<&Range>) -> Amount {
     let (is_proved, at_rest) = (proof.is_some(), proof.is_some_and(|range| range.is_empty_at_rest));
     let amounts = || vain.iter().map(|(amount, _)| *amount);

@@ -1,5 +1,6 @@
-//! Many grasps with the same number of contacts, laid out in memory so that several grasps are screened at once. A block holds as many grasps as a
-//! SIMD vector has numbers (lanes). A command is the displacement that a finger would make without the object.
+//! Many grasps with the same number of contacts, laid out in memory so that several grasps are screened at once. Screening computes the load factor
+//! at which the first contact stops sticking (first slip), and similar numbers, for many grasps. A block holds as many grasps as a SIMD vector has
+//! numbers (lanes). A command is the displacement that a finger would make without the object.
 
 use super::block::AnyGraspData;
 use super::fingers::Fingers;
@@ -74,10 +75,10 @@ impl<const C: usize, const N: usize> Batch<C, N> {
         self.0.clear();
     }
 
-    /// The load factor at first slip of every grasp under each of the growing loads, on one thread;
+    /// The load factor at first slip of every grasp under each of the growing loads `pulls`, on one thread;
     /// [`sweep::onsets_of_batch`](crate::sweep::onsets_of_batch) uses all cores. The earlier content of `answers` is replaced: the answer of grasp g
-    /// to pull p is at `g * pulls.len() + p`. Work that does not depend on the load is done once per grasp. Nothing is allocated if `answers` has the
-    /// capacity for all answers.
+    /// under the load p of `pulls` is at `g * pulls.len() + p`. Work that does not depend on the load is done once per grasp. Nothing is allocated if
+    /// `answers` has the capacity for all answers.
     ///
     /// ```
     /// use grasp_lcp::planar::{Batch, Contact, Fingers, Pull, Wrench};
@@ -107,16 +108,17 @@ impl<const C: usize, const N: usize> Batch<C, N> {
         self.ask_into(&Kernels::get().pull, pulls, answers);
     }
 
-    /// The least factor of the commands with which each grasp holds every load of a list, for each of the lists, on one thread. On all cores:
-    /// [`sweep::least_squeezes_of_batch`](crate::sweep::least_squeezes_of_batch). Answers are ordered as in [`Self::onsets_into`]. Each answer equals
-    /// the answer of [`Fingers::least_squeeze`] bit for bit.
+    /// For each grasp and each of the lists of loads `cases`, the least common factor of all commands with which every contact sticks under each load
+    /// of the list. On one thread; [`sweep::least_squeezes_of_batch`](crate::sweep::least_squeezes_of_batch) uses all cores. The answer of grasp g to
+    /// list c is at `g * cases.len() + c`, and equals the answer of [`Fingers::least_squeeze`] bit for bit.
     pub fn least_squeezes_into(&self, cases: &[LoadCases<C>], answers: &mut Vec<ScreenedSqueeze>) {
         self.ask_into(&Kernels::get().load_cases, cases, answers);
     }
 
-    /// For each grasp and each growing load, the derivatives of the load factor at first slip with respect to all data, on one thread.
-    /// [`sweep::onset_gradients_of_batch`](crate::sweep::onset_gradients_of_batch) uses all cores and has an example. Gradients are ordered as in
-    /// [`Self::onsets_into`]. Each gradient equals the gradient of [`Fingers::onset_gradients`] bit for bit.
+    /// For each grasp and each growing load, the derivatives of the load factor at first slip, on one thread. They are taken with respect to contact
+    /// points, normals, commands, stiffnesses, coefficients of friction and the load.
+    /// [`sweep::onset_gradients_of_batch`](crate::sweep::onset_gradients_of_batch) uses all cores and has an example. The gradient of grasp g under
+    /// load p has the number `g * pulls.len() + p`, and equals the gradient of [`Fingers::onset_gradients`] bit for bit.
     pub fn onset_gradients_into(&self, pulls: &[Pull<C>], gradients: &mut ScreenedGradients<C>) {
         gradients.contacts = N;
         self.ask_into(&Kernels::get().gradient, &of_the_first(pulls), &mut gradients.numbers);

@@ -1,11 +1,12 @@
-//! The least factor of the commands with which all contacts of a grasp stick under each load of a list. A command is the displacement that a finger
-//! would make without the object.
+//! The least factor of the commands with which all contacts of a grasp stick under each load of a list, for several grasps, one in each lane of a
+//! SIMD vector. A command is the displacement that a finger would make without the object.
 //!
 //! Under a load and with the commands multiplied by s the force of a contact is `F + s F'`. Here F is due to the load and the clearances, F' to the
-//! commands. As s grows, this force moves along a straight line, the line of forces. Let n and t be `α F_n` and `β F_t` as in [`StickingCone`]; the
-//! margin `n - |t|` is concave in s. Therefore it is not negative in an interval of factors s, which may be empty. The force enters the cone at the
-//! lower end and leaves it at the upper end. The answer is the least s >= 0 that lies in the intervals of all contacts and loads. In the plane a
-//! margin is the smaller of two linear functions of s; in space both ends are roots of one quadratic equation, see [`Crossing`].
+//! commands. As s grows, this force moves along a straight line, the line of forces. A contact sticks while its margin `n - |t|` is not negative,
+//! with `n = α F_n` and `t = β F_t`. For a contact with friction α is the coefficient of friction and β is 1 (other contacts: see [`StickingCone`]).
+//! The margin is concave in s. Therefore it is not negative in an interval of factors s, which may be empty. The force enters the cone at the lower
+//! end and leaves it at the upper end. The answer is the least s >= 0 that lies in the intervals of all contacts and loads. In the plane a margin is
+//! the smaller of two linear functions of s; in space both ends are roots of one quadratic equation, see [`Crossing`].
 
 use super::block::count;
 use super::cone::{Crossing, StickingCone};
@@ -16,8 +17,8 @@ use super::tolerances::{LEAST_PRODUCT, MOST_PRODUCT, SHARP_MARGIN};
 use super::verdict::balanced;
 use crate::numerics::Vectors;
 
-/// The code in place of the least factor on the commands, if there is no factor with which all contacts stick. An unclear answer and a motion without
-/// resistance have the codes of `first_slip`.
+/// The code in place of the least factor on the commands, if there is no factor with which all contacts stick. [`UNCLEAR`] stands for an answer that
+/// rounding decides, [`GIVES_WAY`] for a load that does work along a motion without resistance.
 pub(super) const NO_FACTOR: f64 = -1.0;
 
 /// The interval of factors on the commands, from `first` to `last`, with which one contact sticks under one load, with error bounds of both ends.
@@ -79,8 +80,8 @@ impl<X: Packed> Margin<X> {
             at[axis] = t[axis] + deepest * dt[axis];
         }
         let depth = n + deepest * dn - dot(&at, &at).sqrt();
-        // If the line of forces passes inside or outside the cone by less than `needed`, N, rounding determines whether it crosses the cone. The
-        // answer is then unclear.
+        // If the line of forces passes inside or outside the cone by less than `needed`, N, rounding may determine whether it crosses the cone. The
+        // answer is then unclear. `needed` is four times the bound of the rounding of the margin at its maximum.
         let needed = X::all(4.0) * (noise + deepest * gain_noise);
         let crossing = line.closing.above(gain_noise, X::all(1.0), zero);
         let unknown = X::all(f64::NAN);
@@ -96,7 +97,8 @@ impl<X: Packed> Margin<X> {
         let first_off = (noise + first * gain_noise) / slope;
         let is_entered = X::all(f64::MAX);
         let first_off = entered.above(is_entered, zero, first_off);
-        // If the line of forces begins at the apex of the cone, up to rounding, only the direction of the line matters.
+        // If the line of forces begins at the apex of the cone, up to rounding, and leads out of the cone, the force leaves the cone at factor zero,
+        // whatever rounding makes of the roots.
         let weight = n.abs() + line.friction;
         let left = weight.above(noise, last.max(zero), zero);
         let chord = self.broken(depth / (last - deepest), self.value / last);

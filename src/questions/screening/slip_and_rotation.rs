@@ -1,5 +1,6 @@
 //! First slip (the first contact stops sticking), and the rotation of the object up to the whole load, for a batch of grasps, each under its own
-//! load. The base load acts at load factor 0. A block holds as many grasps as a SIMD vector has numbers (lanes).
+//! load. The base load acts at load factor 0. A command is the displacement that a finger would make without the object. A block holds as many grasps
+//! as a SIMD vector has numbers (lanes).
 
 use super::answer_slots::AnswerSlots;
 use super::block::Layout;
@@ -35,18 +36,19 @@ pub(crate) struct WhileSticking {
     /// The larger of the object's rotations under the base load and under the whole load (factor 1), rad. NaN if the position of the object is not
     /// determined, or if no rotation was computed.
     pub(crate) turn: f64,
-    /// A bound of the fraction of the resistance to rotation that forces take away under the base load and under the whole load. NaN if it is not
-    /// known, if no contact carries a force, or if no rotation was computed.
+    /// A bound of the fraction of the resistance to rotation that the contact forces and the load take away, because their points of action turn
+    /// with the object. Below 1 the grasp does not buckle. It holds under the base load and under the whole load. NaN if it is not known, if no
+    /// contact carries a force, or if no rotation was computed.
     pub(crate) taken: f64,
 }
 
-/// A grasp surely does not buckle if the bound of what forces take away is below this fraction of the resistance. Rounding is far smaller than the
-/// rest to 1.
+/// A grasp surely does not buckle if forces take away at most this fraction of the resistance to rotation. At the fraction 1 it may buckle; the
+/// difference from 1 is far larger than the rounding of [`WhileSticking::taken`].
 const SURELY: f64 = 0.99;
 
 impl WhileSticking {
-    /// Whether the rotation is clearly within its `limit`, rad, and the grasp surely does not buckle, if load and squeeze are so changed that rotation
-    /// and forces grow at most by the factor `times`.
+    /// Whether the rotation stays within its `limit`, rad, by more than rounding, and the grasp surely does not buckle. This holds for any change of
+    /// load and squeeze that multiplies rotation and forces by at most `times`.
     pub(crate) fn is_small(&self, limit: f64, times: f64) -> bool {
         self.turn * times <= limit * (1.0 - NEGLIGIBLE) && self.taken * times <= SURELY
     }

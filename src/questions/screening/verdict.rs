@@ -1,7 +1,7 @@
 //! The verdict of screening on a grasp: the load factor at which the first contact leaves its friction cone (stops sticking), or a negative code if
 //! there is no such factor. At the start, load factor zero, the margins of all contacts must be positive. The margin of a contact is `α F_n - β
-//! |F_t|` with the normal force F_n and the friction force F_t; see [`StickingCone`](super::cone::StickingCone). A block holds as many grasps as a
-//! SIMD vector has numbers (lanes).
+//! |F_t|` with the normal force F_n and the friction force F_t. For a contact with friction α is its coefficient and β is 1; other contacts have the
+//! values in [`StickingCone`](super::cone::StickingCone). A block holds as many grasps as a SIMD vector has numbers (lanes).
 
 use super::first_slip::{GIVES_WAY, NOT_STICKING, SlipCode, UNCLEAR};
 use super::lanes::Packed;
@@ -46,7 +46,8 @@ impl<X: Packed> Start<X> {
 
 /// The answers for the grasps of a block; `answer` makes each of them from a [`SlipCode`]. `first` is the load factor at which the first contact
 /// leaves its cone; it may be infinity, or a code such as [`UNCLEAR`]. It becomes the answer only if all contacts stick at load factor zero and the
-/// contact forces balance the load.
+/// contact forces balance the load. `leaving` encodes the contacts that leave their cones together. `freed` is positive if the growing load does
+/// positive work along a motion that no contact resists: the answer is then [`GIVES_WAY`].
 #[inline(always)]
 pub(super) fn verdicts<A: Copy, X: Packed>(
     (first, leaving): (X, X),
@@ -56,14 +57,14 @@ pub(super) fn verdicts<A: Copy, X: Packed>(
     answer: impl Fn(SlipCode) -> A,
 ) -> X::Each<A> {
     let (zero, &Start { margin, sure, free, .. }) = (X::all(0.0), start);
-    // If no forces were found, `sure` is NaN. Adding zero times `sure` then makes the code NaN, which also means unclear. A contact that never leaves
-    // its cone has a margin of exactly zero, not infinity, so that it keeps `sure` finite.
+    // If no forces were found, `sure` is NaN. Adding zero times `sure` then makes the code NaN, which also means unclear. An infinite `sure` would
+    // have the same effect. It does not occur: a contact that never leaves its cone (α = β = 0) has the margin zero.
     let code = first + X::all(0.0) * sure;
     let code = (-start.sure()).above(zero, X::all(UNCLEAR), code);
     let code = balanced(unbalanced, code, X::all(UNCLEAR));
     let code = freed.above(zero, X::all(GIVES_WAY), code);
-    // The bound of the rounding of the least margin is at most `margin - sure`. If the margin is negative by more than this bound, a contact does not
-    // stick.
+    // The bound of the rounding of the least margin is at most `margin - sure`. If the margin is negative by more than this difference, a contact
+    // surely does not stick.
     let code = (sure - margin).above(margin, X::all(NOT_STICKING), code);
     let code = free.above(zero, X::all(GIVES_WAY), code);
     X::each(|lane| answer(SlipCode { code: code.lane(lane), leaving: leaving.lane(lane) }))

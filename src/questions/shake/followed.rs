@@ -1,5 +1,6 @@
 //! Follows cycle after cycle of a repeated load until the cycles repeat themselves, or until extrapolation gives the limit of the cycles. A state
-//! consists of the contact forces and gaps between two cycles. Events are the slipping, sticking, opening and closing of contacts. The object walks
+//! consists of the contact forces and gaps between two cycles; at rest means before the first cycle, under the base load alone. Events are the
+//! slipping, sticking, opening and closing of contacts. The object walks
 //! if it moves on by the same motion in every cycle. A drive is a motor, clutch or tendon of a joint; motions are small within the limits up to which
 //! the linear theory is trusted.
 
@@ -16,7 +17,7 @@ use crate::numerics::{IntoList, any_index, mapped};
 use crate::prelude::*;
 use crate::search::Settings;
 
-/// Number of states kept for extrapolation, each at the end of a cycle.
+/// Number of states kept for extrapolation, each at the end of a cycle. [`Recurrence`] uses at most the last ten of them.
 const KEPT_STATES: usize = 12;
 
 impl Engine {
@@ -78,8 +79,8 @@ struct FollowedCycles<'g, 's> {
     base: Wrench<3>,
     rest: CycleState,
     cycles: Cycles<'g>,
-    /// The latest states between successive cycles, oldest first, at most [`KEPT_STATES`]. The oldest is at least as late as the beginning of the
-    /// last cycle whose events differ from the events of the cycle before.
+    /// The latest states between successive cycles, oldest first, at most [`KEPT_STATES`]. If a cycle has other events than the cycle before, all
+    /// states before the beginning of this cycle are dropped.
     places: Vec<CycleState>,
     /// For each contact or drive, whether it has slid in any cycle so far.
     slid: Vec<bool>,
@@ -124,8 +125,8 @@ impl<'g> FollowedCycles<'g, '_> {
                     self.every = many;
                     return self.answer(repeats, (change, 0.0), Some(closed));
                 };
-                // Forces repeat, but an open gap shrinks in every cycle. Until the gap closes, all cycles (or groups of `many` cycles) have the same
-                // events and forces. These cycles are skipped.
+                // Forces repeat with a period of `many` cycles, but an open gap shrinks in every period. Until the gap closes, all periods have the
+                // same events and forces. These `more` periods are skipped.
                 let there = closed.to.after_repeats(&closed.from, more as f64);
                 if more > 0
                     && let Some(further) = self.cycles.beginning_at(&there, self.settings)
@@ -141,8 +142,8 @@ impl<'g> FollowedCycles<'g, '_> {
             if walked_out.is_none() && self.has_walked_out(&cycle) {
                 let repeats = self.repeats_from(&cycle, Some(self.cycles_gone));
                 walked_out = Some(self.answer(repeats, (change, 0.0), Some(&cycle)));
-                // The object has walked beyond the range of small motions while forces still change. A walk with constant forces would be a better
-                // answer. Therefore a few more cycles are followed.
+                // The object has walked beyond the range of small motions while forces still change from cycle to cycle. The answer is then a walk
+                // with changing forces, unless up to twice [`KEPT_STATES`] further cycles lead to a walk with constant forces.
                 most_cycles = most_cycles.min(self.followed + 2 * KEPT_STATES);
             }
             let is_alike = last.as_ref().is_some_and(|last| last.record.is_like(&cycle.record));
@@ -183,11 +184,11 @@ impl<'g> FollowedCycles<'g, '_> {
     }
 
     /// Extrapolates from cycles that all have the same events: to the limit of their states, or else over many cycles at once.
-    /// [`Extrapolation::NotKnown`] if all trials fail.
+    /// [`Extrapolation::NotKnown`] if all extrapolations fail.
     ///
-    /// The states at the beginning of cycles with the same events form a convex set. Extrapolated states lie between the last state and the limit. If
-    /// the events in the cycles from these two states are the same, they are the same for all states in between. Two events that only swap their
-    /// order do not change the map from state to state.
+    /// An extrapolation is confirmed by computing the cycle that begins at the extrapolated state. The states at the beginning of cycles with the
+    /// same events form a convex set. If the cycles from the last state and from the extrapolated state have the same events, so have all skipped
+    /// cycles, whose states lie in between. Two events may swap their order: this does not change the map from state to state.
     fn extrapolate(&mut self, last: &Cycle) -> Extrapolation<'g> {
         let places = self.places.clone();
         let numbers: Vec<_> = mapped(&places, &|place| last.numbers(place));
@@ -195,12 +196,14 @@ impl<'g> FollowedCycles<'g, '_> {
             return Extrapolation::NotKnown;
         };
         let near = if last.record.step_error > 0.0 { NEAR_THE_LIMIT_ON_ARCS } else { NEAR_THE_LIMIT };
-        // A state is near the limit if, in the cycle that begins at it, forces and gaps change by at most the relative number `near`. This number is
-        // smaller if the present change is smaller, so that a trial after a failed trial is closer to the limit.
+        // A state is near the limit if forces and gaps change by at most the relative number `near` in the cycle that begins at this state. `near` is
+        // at most a thousandth of the change in the present cycle, but not below rounding. Thus, if an extrapolation fails, the next one from a later
+        // cycle leads closer to the limit.
         let near = near.min(1e-3 * last.change()).max(last.same());
         let farthest = recurrence.cycles_until(near);
         let mut passed = farthest;
-        // A trial extrapolates over at least this many cycles, unless the limit is nearer.
+        // An extrapolation skips at least this many cycles, unless the limit is nearer. Its confirmation takes the load path of one cycle, so that
+        // skipping fewer cycles would hardly be faster than following them.
         let fewest = 4;
         loop {
             let (state, predicted) = recurrence.after(passed);
@@ -226,7 +229,7 @@ impl<'g> FollowedCycles<'g, '_> {
                         passed,
                     };
                 }
-                // After a failed trial the next trial extrapolates over a quarter as many cycles.
+                // After a failed extrapolation the next one skips a quarter as many cycles.
                 _ if passed >= 4 * fewest => passed /= 4,
                 _ => return Extrapolation::NotKnown,
             }
@@ -306,6 +309,8 @@ impl<'g> FollowedCycles<'g, '_> {
     }
 
     /// The answer, with the motion of each body from rest to the end of the repeating cycle `last`; without this cycle, to the end of the path.
+    /// `change` is the relative change of forces and gaps within the last cycle. `ratio` is the factor by which differences of successive states
+    /// shrink per cycle, or 0 without an extrapolation; see [`Shaken`].
     fn answer(&self, repeats: Repeats<3>, (change, ratio): (f64, f64), last: Option<&Cycle>) -> Shaken<3> {
         let here = self.cycles.cycle_state();
         let at = last.map(|cycle| &cycle.to).or(here.as_ref());
@@ -315,8 +320,8 @@ impl<'g> FollowedCycles<'g, '_> {
             |i: usize| if comes_to_rest { self.slid[i] } else { last.is_some_and(|last| last.slides(i)) };
         let opens = |i: usize| last.is_some_and(|last| last.opens(i));
         let is_open = |i: usize| self.opened[i] || last.is_some_and(|last| last.is_open(i));
-        // A drive with a constant force at its limit yields without slip. In the model each of its two limits is a frictionless contact, which opens
-        // as the limit is reached.
+        // A drive whose force has reached its limit gives way at this constant force, and its slip stays zero. In the model each of its two limits is
+        // a frictionless contact, which opens as the limit is reached.
         let is_at_limit = |i: usize| {
             let what = self.engine.part_change(i, true).map(|change| change.what);
             what == Some(DriveChange::Yields)

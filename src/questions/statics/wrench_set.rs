@@ -1,4 +1,6 @@
-//! The set of wrenches of contact forces within a budget, known by its support points.
+//! The set of wrenches of contact forces within a budget, known by its support points. The budget is an upper limit of the normal force of each
+//! contact, or of the sum of all normal forces. Moments are taken about a reference point and divided by a reference length, both given by a
+//! [`WrenchScale`].
 //!
 //! The support point in the direction v is the wrench of the contact forces within the budget that do most work along v. At each contact with grasp
 //! map G_i this is the force in the friction cone that does most work along the displacement `u = G_iᵀv`. On the round cone this work is `u_n + μ
@@ -22,7 +24,7 @@ enum Cone {
 }
 
 struct ContactCone {
-    /// Maps a force in the contact frame to its wrench about the point of the [`WrenchScale`], with moments divided by its length.
+    /// Maps a force in the contact frame to its wrench about the reference point, with moments divided by the reference length.
     map: Map,
     cone: Cone,
 }
@@ -46,7 +48,7 @@ impl ContactCone {
     }
 }
 
-/// The wrenches that contact forces within a budget can exert. Moments are about the point of `scale` and divided by its length.
+/// The wrenches that contact forces within a budget can exert. Moments are about the reference point of `scale` and divided by its reference length.
 pub(super) struct WrenchSet {
     space: Space,
     contacts: Vec<ContactCone>,
@@ -133,14 +135,15 @@ impl WrenchSet {
         sum
     }
 
-    /// Converts a wrench about the origin, in the user's coordinates, to a wrench about the point and with the length of the [`WrenchScale`].
+    /// Converts a wrench about the origin, in the user's coordinates, to a wrench about the reference point, with moments divided by the reference
+    /// length.
     pub(super) fn inside(&self, wrench: &Wrench<3>) -> Vector {
         let about = SVector::from(self.scale.about);
         let moved = self.space.moved_wrench(&-about, &wrench.coordinates(self.space));
         scaled(self.space, moved, 1.0 / self.scale.length)
     }
 
-    /// Converts a wrench about the point and with the length of the [`WrenchScale`] to the user's coordinates.
+    /// Converts a wrench about the reference point, with moments divided by the reference length, to the user's coordinates.
     pub(super) fn outside(&self, wrench: Vector) -> Wrench<3> {
         let about = SVector::from(self.scale.about);
         let wrench = scaled(self.space, wrench, self.scale.length);

@@ -23,8 +23,8 @@ use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::numerics::{Each, IntoList, dot, largest, normal_tail};
 use crate::prelude::*;
 
-/// The interactions of the errors of data are computed at the smallest errors with which a margin vanishes. These errors depend on the interactions
-/// in turn. Therefore both are computed this number of times, the first time without interactions.
+/// Number of rounds in which two quantities that depend on each other are computed: the smallest errors with which a margin vanishes, and the
+/// interactions of the errors of data at this point. The first round begins without interactions; the second one corrects its errors for them.
 const ROUNDS: usize = 2;
 
 /// For each contact or drive and each of its facets, the interaction of the errors of all data.
@@ -38,8 +38,8 @@ struct AddedLoad<'a> {
     factor: f64,
 }
 
-/// A grasp in which no contact slides under the base load. It has the contact forces for each source (commands, components of the load). It also has
-/// the failures of contacts that errors of the data may cause under the base load.
+/// A grasp in which no contact slides under the base load. It has the contact forces for each source: the commands (displacements of the fingers
+/// without the object), and each component of the load. It also has the failures of contacts that errors of the data may cause under the base load.
 #[derive(Debug, Clone)]
 pub(super) struct StuckGrasp {
     off: PerturbedGrasp,
@@ -62,7 +62,8 @@ pub(super) struct StuckGrasp {
     sigmas: f64,
     /// Standard deviation σ of the logarithm of the coefficients of friction.
     friction: f64,
-    /// For each entry x of [`LOOKED_AT`], the relative growth of the load if its logarithm is in error by `x · sigmas` standard deviations.
+    /// For each entry x of [`LOOKED_AT`] (-1, -1/2, 1/2 and 1), the relative growth of the load if its logarithm is in error by `x · sigmas` standard
+    /// deviations. Changes of forces are computed exactly at these four errors.
     load: [f64; LOOKED_AT.len()],
     /// For each motion of the object that nothing resists, the work that 1 N or 1 N m of each component of the load does along this motion.
     unresisted: Vec<Wrench<3>>,
@@ -113,8 +114,8 @@ impl StuckGrasp {
         sticking
     }
 
-    /// The allowed probability that any contact stops sticking: `Φ(-sigmas)`, reduced by the fraction [`NEGLECTED_SHARE`] because some effects are
-    /// neglected.
+    /// The allowed probability that any contact stops sticking: `Φ(-sigmas)`, reduced by a quarter ([`NEGLECTED_SHARE`]), because some effects of the
+    /// interactions of data errors are neglected.
     fn allowed(&self) -> f64 {
         (1.0 - NEGLECTED_SHARE) * normal_tail(self.sigmas)
     }

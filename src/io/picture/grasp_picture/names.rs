@@ -17,7 +17,8 @@ use crate::words::printable;
 
 impl Picture<'_> {
     /// Writes all names, including the names of the load and of the motion with which the object leaves the grasp. A name is left out if no free
-    /// position remains. If there are too many fingertips, all their names are left out. The number of missing names is stated below the picture.
+    /// position remains. With more than 30 fingertips (`most_named`) all their names are left out. The number of missing names is stated below the
+    /// picture.
     pub(super) fn write_names(
         &self,
         axes: &EqualScales,

@@ -44,7 +44,7 @@ struct LargestValues {
 }
 
 /// The arrows of a load: a force on its line of action, at the point nearest to the centre of the grasp, and the moment about this line. If the line
-/// is far away, the force is drawn at the centre, with the moment about the centre.
+/// is farther from the centre than 1.5 times the span, the force is drawn at the centre, with the moment about the centre.
 pub(super) struct LoadArrow {
     pub(super) at: Vector3<f64>,
     pub(super) force: Vector3<f64>,
@@ -106,7 +106,8 @@ impl<'p> Drawing<'p> {
         };
         let states = || page.frames.iter().filter_map(Frame::state);
         let loads = || page.frames.iter().filter_map(Frame::load).map(|load| drawing.load(load));
-        // If a load acts far away, the picture shows a larger area. Its distance then determines the size, so that arrows remain visible.
+        // If a load acts at a distance from the centre that exceeds the span of the grasp, the picture shows an area of this size. Arrows are scaled
+        // by it, too, so that they remain visible.
         let away = |load: LoadArrow| (load.at - drawing.centre).norm();
         let size = loads().map(away).fold(span, f64::max);
         let mut largest = drawing.largest(states());

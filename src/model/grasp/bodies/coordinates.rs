@@ -21,8 +21,8 @@ impl Engine {
         self.linkage()?.bodies.as_deref()
     }
 
-    /// Sign with which the force of a contact acts on the body that has the coordinates of the object. It is 1 if the normal points into this body,
-    /// -1 if the body is on the other side of the contact, else 0.
+    /// Sign with which the force of a contact acts on the object. With several bodies the object is the body on which the loads of questions act. The
+    /// sign is 1 if the normal points into the object, -1 if the normal points out of the object, and 0 if the contact does not touch the object.
     pub(crate) fn sign_on_object(&self, contact: usize) -> f64 {
         self.bodies().map_or(1.0, |bodies| bodies.sign(contact, bodies.object))
     }
@@ -85,9 +85,9 @@ impl Engine {
         moments
     }
 
-    /// A grasp of the same bodies without constant loads, in which all loads grow from zero together. Of a load that is passed to the new grasp only
-    /// a factor f is used, the number of newtons in its first force component. Each body carries f times the sum of its constant load and its share
-    /// of `base`. `None` for a single object.
+    /// A grasp of the same bodies without constant loads, in which all loads grow from zero together. A load that is passed to the new grasp serves
+    /// only as a factor f: its first force component in newtons. Each body then carries f times the sum of its constant load in this grasp and its
+    /// share of `base`. `None` for a single object.
     pub(crate) fn growing_from_nothing(&self, base: &Wrench<3>) -> Option<Self> {
         let bodies = self.bodies()?;
         let shared = bodies.shared(base);
@@ -123,8 +123,8 @@ impl Engine {
         self.bodies().map_or_else(|| self.clone(), |bodies| self.with_bodies(bodies.under(loads)))
     }
 
-    /// A copy of this grasp at a point of a load program, which has applied the loads `loads` to the bodies named there, and none to other bodies. An
-    /// answer of a load program lists these loads. Questions about that answer are then asked of this copy.
+    /// A copy of this grasp at a point of a load program, which has applied `loads` to the bodies that the entries of `loads` name, and none to other
+    /// bodies. An answer about a point of a load program lists these loads; further questions about this point are asked of the copy.
     pub(crate) fn with_body_loads(&self, loads: &[BodyLoad<3>]) -> Result<Self, Error> {
         let mut all = vec![Wrench::ZERO; self.bodies().map_or(0, |bodies| bodies.names.len())];
         for BodyLoad { body, load } in loads {

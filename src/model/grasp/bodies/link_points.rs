@@ -1,7 +1,8 @@
 //! The contacts that model a link.
 //!
-//! A hinge of the plane or a ball joint is modelled by one bonded contact, a hinge in space by two. A slide is modelled by frictionless contacts that
-//! are kept closed, with normals across its direction. A rigid joint is modelled by bonded contacts around its centre. A spring is a contact along
+//! A hinge of the plane or a ball joint is modelled by one bonded contact, a hinge in space by two. A slide is a linear guide, which leaves free only
+//! the translation along one direction. It is modelled by frictionless contacts that are kept closed, its bearings, with normals across this
+//! direction. A rigid joint is modelled by bonded contacts around its centre. A spring is a contact along
 //! its line that is kept closed, and a cable is a contact along its line that only pulls. The normal of a spring or a cable points from the start of
 //! the line to its end: a positive normal force pulls the first body towards the end. A bonded contact neither opens nor slips; a contact that is
 //! kept closed may slip, but not open.
@@ -49,8 +50,8 @@ impl Link<3> {
         })?;
         let points = self.points(space);
         let (count, all) = (points.len() as f64, self.stiffness.unwrap_or(Self::STIFF));
-        // In space half of the bearings of a slide act along each of the two directions normal to the slide. Each direction thus gets the whole
-        // stiffness.
+        // A slide (linear guide) in space has two normal directions, and half of its bearing contacts act along each of them. Each half together gets
+        // the whole stiffness.
         let is_slide = matches!(self.geometry, LinkGeometry::Slide { .. });
         let share = if is_slide { (space.axes() - 1) as f64 / count } else { 1.0 / count };
         let is_one = points.len() == 1;
@@ -93,8 +94,8 @@ impl Link<3> {
                 let (half, across) = (0.5 * length, normals_to(space, &along));
                 let mut points = Vec::new();
                 for normal in &across {
-                    // Bearings lie at both ends. In space bearings also lie on both sides of the slide, so that the slide cannot turn about its
-                    // direction.
+                    // Bearing contacts lie at both ends of the slide (linear guide). In space they also lie on both of its sides, so that it cannot
+                    // turn about its direction.
                     for arm in [&[along], &across[..]].concat() {
                         if arm != *normal {
                             for x in [-half, half] {

@@ -158,8 +158,8 @@ impl Assembly {
         Ok(())
     }
 
-    /// Adds the tendon with the index `number`. It has an arm for each of the `count` joints of fingers; slides of contacts with a constant force,
-    /// which come behind these joints, may be left out.
+    /// Adds the tendon with the index `number`. It has an arm for each of the `count` joints of fingers. Each contact with a constant force has a
+    /// prismatic joint of its own along its normal, its slide. Slides come behind the joints of fingers; their arms may be left out.
     fn add_tendon(
         &mut self,
         tendon: &super::tendon::Tendon,

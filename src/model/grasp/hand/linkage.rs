@@ -1,5 +1,6 @@
-//! Joints, tendons and drives of a hand as parts of a grasp, and the bodies of a grasp with several bodies. In the engine's coordinates moments and
-//! rotations refer to the centroid of the contacts.
+//! Joints, tendons and drives of a hand as parts of a grasp, and the bodies of a grasp with several bodies. A command is a prescribed displacement of
+//! a joint or tendon, which stretches the spring of its drive. In the engine's coordinates moments and rotations refer to the centroid of the
+//! contacts.
 
 use alloc::sync::Arc;
 use core::fmt;
@@ -90,8 +91,8 @@ impl fmt::Display for HandPart {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct PartLabel {
-    /// The joint or tendon. Joints are numbered from 0 finger by finger; slides of contacts with a constant force follow. Written as
-    /// `"joint": 3`.
+    /// The joint or tendon. Joints are numbered from 0 finger by finger. Each contact with a constant force has a prismatic joint of its own along
+    /// its normal; these joints follow. Written as `"joint": 3`.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub part: HandPart,
     /// The user's name; omitted if there is none.
