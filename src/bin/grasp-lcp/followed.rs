@@ -48,7 +48,8 @@ impl Report<'_> {
         }
         if !path.steps.is_empty() {
             let error = self.number(path.step_error);
-            self.line(&format!("estimated error of the forces: {error} of the largest"))?;
+            self.line(&format!("estimated error of the forces: {error} of the largest; a slip that begins and ends within one step is not seen"
+            ))?;
         }
         if in_between > 0 {
             self.line(&format!("in between at {in_between} loads more points change: --points tells them"))?;

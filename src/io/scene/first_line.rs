@@ -266,7 +266,21 @@ fn followed<const C: usize>(path: &PathAnswer<C>, words: Words) -> String {
         (None, PathOutcome::Completed { state: Some(state) }) if path.steps.is_empty() => Some(&**state),
         _ => None,
     };
-    let from_start = start.map_or(Vec::new(), sliding);
+    let mut from_start = start.map_or(Vec::new(), sliding);
+    // A contact that begins to slide at the very end of the path has no event there, and has not slipped yet.
+    let is_moved = |state: &&Equilibrium<C>| state.contacts.iter().any(|contact| contact.slip.norm() > 0.0);
+    let mut at_the_end = Vec::new();
+    if path.events.is_empty() && start.filter(is_moved).is_none() {
+        core::mem::swap(&mut from_start, &mut at_the_end);
+    }
+    let opens = path.events.iter().find_map(|event| {
+        let names = mapped(&event.whole_changes(), &|change| {
+            (change.what == PadChange::Point(Change::Opens)).then(|| change.contact.text())
+        });
+        let names: Vec<_> = names.into_iter().flatten().list();
+        let place = || place(event.leg, event.fraction, &event.load);
+        (!names.is_empty()).then(|| format!("{} at {}", plural(&names, "opens"), place()))
+    });
     let slip = match (first, step) {
         (Some(event), _) if !from_start.is_empty() && (event.leg, event.fraction) != (0, 0.0) => {
             let next = place(event.leg, event.fraction, &event.load);
@@ -277,6 +291,10 @@ fn followed<const C: usize>(path: &PathAnswer<C>, words: Words) -> String {
         (None, Some(step)) => format!("first slip by {}", place(step.leg, step.fraction, &step.load)),
         (None, None) => match &path.end {
             PathOutcome::Lost { state: Some(state), .. } => format!("{} there", in_short(state)),
+            _ if !at_the_end.is_empty() => format!("{} from there on", plural(&at_the_end, "slides")),
+            PathOutcome::Completed { .. } if opens.is_some() => {
+                format!("no contact begins to slide on the way; {}", opens.unwrap_or_default())
+            }
             PathOutcome::Completed { state: Some(state) } if in_short(state) != EVERYTHING_STICKS => {
                 format!("no contact begins to slide on the way; there {}", in_short(state))
             }

@@ -5,7 +5,7 @@
 use super::answer::{Needed, PressedBy, Quantity};
 use super::press::{self, ContactPress};
 use crate::prelude::*;
-use crate::words::{Words, printable};
+use crate::words::{Words, listed, printable};
 
 impl Needed {
     /// The format of the bound sought, i.e. the least or greatest sufficient amount. The format rounds to the sufficient side: a least amount up, a
@@ -52,7 +52,12 @@ impl Needed {
     pub(super) fn amount_text(&self, words: Words, amount: f64, presses: &[ContactPress]) -> String {
         match self.quantity {
             Quantity::Squeeze => press::in_words(words, presses, self.times_squeeze(words, amount)),
-            Quantity::Friction => format!("a coefficient of friction of {}", words.number(amount)),
+            Quantity::Friction if self.contacts.is_empty() => {
+                format!("a coefficient of friction of {}", words.number(amount))
+            }
+            Quantity::Friction => {
+                format!("a coefficient of friction of {} at {}", words.number(amount), listed(&self.contacts))
+            }
             Quantity::Load => match self.force {
                 Some(force) => {
                     format!("{}, {} N,", self.short(words, amount, &[]), words.number(amount * force))

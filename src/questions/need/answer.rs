@@ -62,10 +62,13 @@ pub struct Needed {
     /// Whether a contact has a coefficient of kinetic friction of its own, which changes in proportion to the friction sought.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "core::ops::Not::not"))]
     pub scales_kinetic: bool,
-    /// Whether the object jumps with the amount of [`Self::amount`] while the load is put on: it slips under constant load until a contact catches it,
+    /// Whether the object jumps with the least or greatest sufficient amount while the load is put on: it slips under constant load until a contact catches it,
     /// or snaps over. Its momentum is not counted.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "core::ops::Not::not"))]
     pub jumps: bool,
+    /// The contacts whose coefficient of friction is sought; empty if one coefficient for all contacts is sought, and for other quantities.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
+    pub contacts: Vec<WholeContact>,
     /// Contacts without friction, which stay frictionless if one coefficient for all other contacts is sought.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub without_friction: Vec<WholeContact>,

@@ -57,6 +57,13 @@ impl Need<3> {
         let posed = self.posed(grasp.space())?;
         self.check_acts(grasp.is_loaded_at_rest())?;
         let quantity = posed.quantity();
+        let contacts = match &posed.sought {
+            Sought::Friction { contacts: Some(those) } => {
+                let points = grasp.points_of(those)?;
+                grasp.engine.wholes().with(&|i| points.contains(&i))
+            }
+            _ => Vec::new(),
+        };
         let asked = posed.on(grasp)?;
         let is_squeezed = grasp.is_squeezed() || asked.sought == Sought::Overlaps;
         let mut safety = asked.safety;
@@ -116,6 +123,7 @@ impl Need<3> {
             in_place_of_squeeze: quantity == Quantity::Squeeze && !is_squeezed,
             jumps,
             scales_kinetic: asked.scales_kinetic(grasp.contacts()),
+            contacts,
             without_friction: match asked.sought {
                 Sought::Friction { contacts: None } => {
                     let wholes = grasp.engine.wholes();

@@ -85,6 +85,11 @@ impl Needed {
         }
     }
 
+    /// "only " before a greatest load that is less than the load of the question.
+    fn only_if_less(&self, sufficient: f64) -> &'static str {
+        if self.quantity == Quantity::Load && sufficient < 1.0 { "only " } else { "" }
+    }
+
     /// Writes the bound, the amount with which nothing slides, the safe amount, the verdicts beyond the bound, and the number of amounts tried.
     fn bound(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Amount::Bound {
@@ -126,7 +131,7 @@ impl Needed {
             Some(end) => {
                 write!(f, "TAKES {} and {aim}", self.between_ends(words, end.sufficient, *sufficient))?;
             }
-            None => write!(f, "TAKES {much} and {aim}")?,
+            None => write!(f, "TAKES {}{much} and {aim}", self.only_if_less(*sufficient))?,
         }
         if self.jumps {
             write!(f, ", {NO_MOMENTUM}")?;
