@@ -145,6 +145,28 @@ fn a_weight_at_rest_steadies_only_where_it_is_known_to_hang() -> Result<(), Erro
     Ok(())
 }
 
+/// Fingers squeeze from 8 N to 25 N, past the force `k a` at which the bar buckles. A load of which only the line is known, on a later leg, does not hide
+/// this.
+#[test]
+fn a_squeeze_that_grows_buckles_on_its_leg() -> Result<(), Error> {
+    let (stiffness, half, normal) = (500.0, 0.04, 5e4);
+    let bar = [-half, half].map(|x| {
+        let finger = Contact::new([x, 0.0], [-x.signum(), 0.0]).series_stiffness(normal, stiffness);
+        finger.friction(0.5).pressed_with(8.0)
+    });
+    let grasp = Grasp::new(bar)?;
+    let squeezed = Leg::commands_to(vec![[25.0 / normal, 0.0]; 2]);
+    for more in [vec![], vec![Leg::load_to(Wrench::force([0.0, -1.0]))]] {
+        let legs = [vec![squeezed.clone()], more].concat();
+        let mut path = grasp.follow(Wrench::ZERO, &legs)?;
+        path.run();
+        let end = path.end_of_theory().expect("it buckles");
+        assert_eq!((end.leg, end.what), (0, TooFar::Buckles));
+        assert!((8.0 + 17.0 * end.fraction - stiffness * half).abs() < 1e-6, "{}", end.fraction);
+    }
+    Ok(())
+}
+
 /// A tall weight W at the height h on two soft feet at ±a: the feet resist tilting with 2 k a², and the weight takes away W h of it.
 #[test]
 fn a_tall_weight_on_soft_feet() {

@@ -56,7 +56,7 @@ fn a_grasp_that_buckles_is_not_praised() {
         let found = improved(most, height);
         assert_eq!(found.too_far.is_some(), buckles, "{found}");
         assert_eq!(
-            found.to_string().starts_with("BUCKLES at rest or under these loads: "),
+            found.to_string().starts_with("BUCKLES at rest, under these loads or before the first slip: "),
             buckles,
             "{found}"
         );

@@ -36,6 +36,15 @@ fn a_pinch() -> Tested {
     Ok(())
 }
 
+/// Where no contact has friction, the coefficient of all contacts is sought.
+#[test]
+fn friction_where_there_is_none() -> Tested {
+    for given in [[0.0; 2], [0.5; 2]] {
+        is(&Need::friction(Wrench::force([0.0, -12.0])), &jaws(given)?, 0.6)?;
+    }
+    Ok(())
+}
+
 /// A wedge between two pressing faces is held if μ >= tan α/2.
 #[test]
 fn a_wedge_locks() -> Tested {

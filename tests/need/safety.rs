@@ -32,6 +32,27 @@ fn beside_any_amount() -> Tested {
     Ok(())
 }
 
+/// The same fingers, of which each force may be 5 % less than set. The least force is then larger by 1/0.95. The greatest stays, since forces as set push
+/// the part out as before.
+#[test]
+fn no_larger_than_as_given() -> Tested {
+    let (sin, cos) = 20.0_f64.to_radians().sin_cos();
+    let finger = |x: f64| {
+        let normal = [-x.signum() * cos, sin];
+        Contact::new([x, 0.0], normal).series_stiffness(1e5, 1e5).friction(0.3).force(20.0)
+    };
+    let grasp = Grasp::new([finger(-0.03), finger(0.03)])?;
+    let need = Need::squeeze(Wrench::force([0.0, -1.0])).on_top_of(Wrench::force([0.0, -10.0]));
+    let needed = grasp.need(&need.if_lower_by(0.0, 0.05))?;
+    let ends = |amount: Option<&Amount>| match amount {
+        Some(Amount::Bound { sufficient, until: Some(end), .. }) => [*sufficient, end.sufficient],
+        _ => panic!("{needed}"),
+    };
+    let ([least, most], safe) = (ends(Some(&needed.amount)), ends(needed.safe.as_ref()));
+    assert!((safe[0] * 0.95 / least - 1.0).abs() < 1e-6 && (safe[1] / most - 1.0).abs() < 1e-6, "{needed}");
+    Ok(())
+}
+
 /// Two fingers press with a constant force on sides that taper by a = 20° and so push the part out. Forces from `5.5 / (sin a + μ cos a)` to `5 /
 /// (sin a − μ cos a)` newtons hold a weight of 10 N, with a load of 1 N added. With less friction, both ends use the lower μ.
 #[test]

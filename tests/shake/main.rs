@@ -2,6 +2,7 @@
 
 mod asked;
 mod followed_cycles;
+mod momentum;
 mod opens;
 mod rocked_ball;
 mod shakedown;

@@ -109,11 +109,16 @@ impl SceneNames<'_> {
 
     /// The answer for a path that was followed to its end in steps.
     pub(super) fn path_in_steps(&self, path: &SteppedPath<'_, 3>, steps: Vec<Step<3>>) -> PathAnswer<3> {
+        // Motions are not compared with their limits at each step, but in the equilibrium at the end.
+        let too_far = path.state().and_then(|state| state.too_far).zip(steps.last());
+        let end_of =
+            |(what, last): (_, &Step<3>)| EndOfSmallMotions { leg: last.leg, fraction: last.fraction, what };
+        let small_motions_end = too_far.map(end_of);
         PathAnswer {
             end: self.end(path.end(), path.state(), path.beyond()),
             events: Vec::new(),
             steps,
-            small_motions_end: None,
+            small_motions_end,
             energies: Vec::new(),
             step_error: path.step_error(),
         }

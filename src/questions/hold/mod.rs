@@ -41,7 +41,6 @@ mod way_out_words;
 mod words;
 
 pub(crate) use applied_load::{AtRest, PathFacts, VerdictScope};
-#[cfg(feature = "serde")]
 pub(crate) use caught_jump::NO_MOMENTUM;
 pub use caught_jump::{CaughtJump, CaughtMotion, CaughtSlip};
 pub use short_verdict::{LossVerb, ShortVerdict, VerdictKind};
