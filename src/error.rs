@@ -216,8 +216,8 @@ pub enum Error {
         /// The largest difference of this quantity, in its own unit.
         off: f64,
     },
-    /// The method limits contact forces by a budget of normal forces. This contact may pull, is bonded or has infinite friction; a budget therefore
-    /// does not limit its force.
+    /// The method that was called limits contact forces by a budget of normal forces. A contact may pull, is bonded or has infinite friction, so that
+    /// a budget does not limit its force.
     #[error("{question} bounds normal forces: contact {contact} pulls, is bonded or has infinite friction")]
     Unlimited {
         /// Name of the method that gave the error.
@@ -225,8 +225,8 @@ pub enum Error {
         /// The contact whose force a budget does not limit.
         contact: ContactLabel,
     },
-    /// The method decides whether contacts can balance loads of any size. The vacuum of suction cups helps to balance limited loads only, about which
-    /// this method says nothing.
+    /// The method that was called decides whether contacts can balance loads of any size. The vacuum of suction cups helps to balance limited loads
+    /// only, about which this method says nothing.
     #[error(
         "{question} asks for loads of any size: the vacuum of contact {contact} is limited, ask load_limit or ferrari_canny"
     )]
@@ -312,7 +312,7 @@ pub enum Error {
         /// Required rows and columns.
         expected: (usize, usize),
     },
-    /// The method supports only one object, held by contacts with springs of their own. The grasp has joints or several bodies.
+    /// The method that was called supports only one object, held by contacts with springs of their own. The grasp has joints or several bodies.
     #[error(
         "{question} knows neither joints nor several bodies: ask it of one object that no hand with joints holds"
     )]
@@ -320,7 +320,7 @@ pub enum Error {
         /// Name of the method that gave the error.
         question: &'static str,
     },
-    /// The method finds contacts that slide but does not support kinetic friction lower than static friction, which this contact has.
+    /// The method that was called finds contacts that slide but does not support kinetic friction lower than static friction, which a contact has.
     #[error(
         "{question} does not know that the friction of contact {contact} is lower once it slides: ask hold, follow or shake, which do, or leave kinetic friction out"
     )]
@@ -330,8 +330,8 @@ pub enum Error {
         /// The contact with lower kinetic friction.
         contact: ContactLabel,
     },
-    /// The method supports several bodies but no joints. A contact with a constant normal force counts as a joint, since its finger follows the
-    /// object on a slide, a prismatic joint along the normal.
+    /// The method that was called supports several bodies but no joints. A contact with a constant normal force counts as a joint: its finger follows
+    /// the object along a prismatic joint in the direction of the normal.
     #[error(
         "{question} knows no joints: ask it of bodies that no hand with joints holds, and no contact presses with a given force"
     )]

@@ -71,9 +71,9 @@ impl Engine {
         for found in search.found {
             add(found, FoundBy::Enumeration, &effort);
         }
-        // On the round cone, the search above starts Newton's method from equilibria on a polygonal cone. A polygon inside the round cone may allow
-        // no equilibrium, or none near an equilibrium on the round cone. Newton's method then misses the equilibrium on the round cone, and therefore
-        // the search of `solve` is made, too.
+        // On the round cone, the search for all equilibria, above, starts Newton's method from equilibria on a polygonal cone. A polygon inside the
+        // round cone may allow no equilibrium, or none near an equilibrium on the round cone. Newton's method then misses the equilibrium on the
+        // round cone, and therefore the search of `solve` is made, too.
         if problem.round
             && let (SearchOutcome::Found(found, rule), effort) = settle(&problem, settings)
         {

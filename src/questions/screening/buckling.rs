@@ -1,5 +1,5 @@
-//! A bound that shows that a sticking grasp does not buckle, for several grasps, one in each lane of a vector. Forces take resistance away because
-//! their points of action turn with the object; see `equilibrium/left_out`.
+//! A bound that shows that a sticking grasp does not buckle, for several grasps, one in each lane of a vector. Contact forces and the load reduce the
+//! stiffness against rotation, the resistance, because their points of action turn with the object; see `equilibrium/left_out`.
 //!
 //! If contact i is at least as stiff as k_i in every direction, the springs resist rotations about the centroid of the k_i with at least the stiffness
 //! `J = Σ k_i (|r_i|² 1 - r_i r_iᵀ)`, with the arms r_i from this centroid. Forces F at arms r, of contacts and loads, add the geometric stiffness
@@ -24,12 +24,13 @@ pub(super) struct Resistance<const C: usize, X: Packed> {
 pub(super) struct LoadAtPoints<const C: usize, X: Packed> {
     /// The resultant force, N; zero if the points of action are not known, so that the load then adds no stiffness.
     pub(super) force: [X; C],
-    /// The sum of products `F_a r_b` of components of forces and points, N m; zero if the points are not known.
+    /// For components a and b, the sum of `F_a r_b` over the forces F of the load, with their points of action r, N m; zero if the points are not
+    /// known.
     pub(super) moments: [[X; C]; C],
 }
 
 impl<const C: usize, X: Packed> Resistance<C, X> {
-    /// The bound for the contacts of a block. The block stores compliances for [`Method::Edges`], stiffnesses for [`Method::Motions`].
+    /// The lower bound J for the contacts of a block. The block stores compliances for [`Method::Edges`], stiffnesses for [`Method::Motions`].
     #[inline(never)]
     pub(super) fn of<V: Vectors>(v: V, block: &Block<'_, C, X>, method: Method) -> Self {
         let zero = X::all(0.0);
@@ -81,8 +82,9 @@ impl<const C: usize, X: Packed> Resistance<C, X> {
         arm
     }
 
-    /// The square root of `tr (J⁻¹ M)²`: no smaller than the fraction of the resistance that these forces and this load take away, or add, in any
-    /// rotation. NaN if some rotation is not resisted, and if no contact carries a force, so that the object lies loose.
+    /// The square root of `tr (J⁻¹ M)²`: no smaller than the fraction of the stiffness against rotation that these contact forces and this load take
+    /// away, or add, in any rotation. J and M are as at the top of the file. NaN if some rotation is not resisted, and if no contact carries a force,
+    /// so that the object lies loose.
     #[inline(never)]
     pub(super) fn taken<V: Vectors>(
         &self,

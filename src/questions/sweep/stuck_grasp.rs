@@ -24,7 +24,8 @@ use crate::numerics::{Each, IntoList, dot, largest, normal_tail};
 use crate::prelude::*;
 
 /// Number of rounds in which two quantities that depend on each other are computed: the smallest errors with which a margin vanishes, and the
-/// interactions of the errors of data at this point. The first round begins without interactions; the second one corrects its errors for them.
+/// interactions of the errors of data at this point. The first round finds the smallest errors without interactions, and computes the interactions
+/// there. The second round finds the smallest errors with these interactions.
 const ROUNDS: usize = 2;
 
 /// For each contact or drive and each of its facets, the interaction of the errors of all data.
