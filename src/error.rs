@@ -80,9 +80,9 @@ pub enum Error {
         contact: ContactLabel,
         /// The quantity that is out of range: a dimension of the surface, or the position or normal of the contact relative to the surface.
         field: &'static str,
-        /// The value that was given.
+        /// The given value of the quantity `field`.
         value: f64,
-        /// The allowed values.
+        /// The allowed values, in words.
         allowed: &'static str,
     },
     /// A component of a wrench is not finite, or larger than 1e50 in size.
@@ -92,7 +92,7 @@ pub enum Error {
         what: &'static str,
         /// Index of the component, from 0: forces first, then moments, then the torques on the joints of a hand.
         component: usize,
-        /// The value that was given.
+        /// The given value of the component.
         value: f64,
     },
     /// An index of a contact is not below the number of contacts.
@@ -100,7 +100,7 @@ pub enum Error {
         "contact: {contact} given, must be less than {contacts}, the number of contacts, which are counted from 0"
     )]
     NoSuchContact {
-        /// The index that was given.
+        /// The given index of a contact, from 0.
         contact: usize,
         /// The number of contacts.
         contacts: usize,
@@ -108,9 +108,9 @@ pub enum Error {
     /// The length of a list with one entry for each contact differs from the number of contacts.
     #[error("{what}: {given} given, must be {expected}, one a contact")]
     Size {
-        /// The list, such as "commands" or "command changes".
+        /// Name of the list, such as "commands" or "command changes".
         what: &'static str,
-        /// The length that was given.
+        /// The length of the given list.
         given: usize,
         /// The number of contacts.
         expected: usize,
@@ -128,9 +128,9 @@ pub enum Error {
     Fingertip {
         /// The quantity at fault: a radius or a width (m), or a number of annuli, strips or points.
         what: &'static str,
-        /// The value that was given.
+        /// The given value of the quantity `what`.
         value: f64,
-        /// The allowed values.
+        /// The allowed values, in words.
         allowed: &'static str,
     },
     /// A mesh file is missing or cannot be read, or the mesh encloses no volume although a volume is needed.
@@ -159,11 +159,11 @@ pub enum Error {
     /// An argument of a method, or a number of a question, is out of range. Numbers of a contact, a wrench or a hand have errors of their own.
     #[error("{what} is {value}, must be {allowed}")]
     Argument {
-        /// The number, such as "angle of the turn".
+        /// The quantity that is out of range, such as "angle of the turn".
         what: &'static str,
-        /// The value that was given.
+        /// The given value of the quantity `what`.
         value: f64,
-        /// The allowed values.
+        /// The allowed values, in words.
         allowed: &'static str,
     },
     /// A number of an observed slip, of an unknown to be identified or of a known sum of unknowns is out of range.
@@ -173,9 +173,9 @@ pub enum Error {
         what: String,
         /// The quantity that is out of range.
         field: &'static str,
-        /// The value that was given.
+        /// The given value of the quantity `field`.
         value: f64,
-        /// The allowed values.
+        /// The allowed values, in words.
         allowed: &'static str,
     },
     /// The library panicked while it answered one grasp or question: a fault of the library, not of the input. In a batch all others are still
@@ -271,9 +271,9 @@ pub enum Error {
         name: String,
         /// The quantity that is out of range.
         field: &'static str,
-        /// The value that was given.
+        /// The given value of the quantity `field`.
         value: f64,
-        /// The allowed values.
+        /// The allowed values, in words.
         allowed: &'static str,
     },
     /// One number of one joint, tendon or finger is out of range.
@@ -283,9 +283,9 @@ pub enum Error {
         what: String,
         /// The quantity that is out of range.
         field: &'static str,
-        /// The value that was given.
+        /// The given value of the quantity `field`.
         value: f64,
-        /// The allowed values.
+        /// The allowed values, in words.
         allowed: &'static str,
     },
     /// A matrix of a hand is not symmetric, or has a negative eigenvalue.
@@ -344,7 +344,7 @@ pub enum Error {
     JointCommands {
         /// Name of the list, such as "joint commands".
         what: &'static str,
-        /// The length that was given.
+        /// The length of the given list.
         given: usize,
         /// Number of joints and tendons.
         expected: usize,

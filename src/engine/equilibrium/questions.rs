@@ -83,8 +83,8 @@ impl Engine {
         Ok(list)
     }
 
-    /// The equilibrium problem of this grasp under a load, with the friction cone of the settings. Returns an error if the load or the limits of
-    /// small motions are invalid.
+    /// The equilibrium problem of this grasp under a load, with the friction cone of the settings. Returns an error if the load is invalid, or the
+    /// limits of rotation, slip and opening up to which motions count as small.
     pub(super) fn problem_under(&self, load: &Wrench<3>, settings: &Settings) -> Result<Problem<'_>, Error> {
         settings.small_motions.check()?;
         let polygon = Polygon::shared(self.space(), &settings.cone);

@@ -12,8 +12,8 @@ use crate::numerics::{Each, Harmonic, mapped};
 use crate::serial::AsComputed;
 
 /// Energies of one leg (section of the load program), J: `load_work + finger_work = stored + dissipated`. If no contact slides on the round cone,
-/// forces and motions are affine in the load factor on each piece of the path, or harmonics of the angle of a load that turns. Every integral is then
-/// exact. If contacts slide on the round cone, works are integrated along with the slips.
+/// forces and motions are affine in the load factor on each piece of the path. Under a load that turns they are harmonics of its angle. In both cases
+/// every integral is exact. If contacts slide on the round cone, works are integrated along with the slips.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]

@@ -55,7 +55,8 @@ impl Segment<'_> {
         let mut point =
             self.point_with_rates(linear_problem.clone(), factor, at.clone(), (&rate, 1.0), (factor, &at));
         let turned = self.harmonics(&turned_load, angle, &parts);
-        // A force or gap that vanishes at some angle still has a rounding error in proportion to its size at other angles.
+        // The rounding error of a force or gap is proportional to its size over all angles of the load. It does not vanish at an angle at which the
+        // force or gap vanishes.
         for ((line, gap), [force, stretch]) in point.lines.iter_mut().zip(&mut point.gaps).zip(&turned.waves)
         {
             line.force_size = line.force_size.max(force.size);
@@ -113,7 +114,7 @@ impl Segment<'_> {
     }
 }
 
-/// Forces and twist at angle zero: the sum of the solutions in `parts` under the constant and the cosine term of the load.
+/// Forces and twist at the load's angle zero: the sum of the solutions in `parts` under the constant and the cosine term of the load.
 pub(super) fn at_start(parts: &Harmonic<ForcesAndTwist>) -> ForcesAndTwist {
     let Harmonic { constant, cosine, .. } = parts;
     let forces = paired(&constant.forces, &cosine.forces, &|(f, more)| f + more);

@@ -18,7 +18,7 @@ use crate::squeeze::Loads;
 use crate::words::Words;
 
 impl<const C: usize> Need<C> {
-    /// The loads; `None` if the question has none, or has several where only one is allowed.
+    /// The loads of the question; `None` if it has none, or has several where only one is allowed.
     #[cfg(feature = "serde")]
     pub(crate) fn loads(&self) -> Option<Loads<C>> {
         match self.turn {

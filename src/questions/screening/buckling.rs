@@ -144,7 +144,7 @@ const fn rotations(axes: usize) -> usize {
     2 * axes - 3
 }
 
-/// Adds the stiffness against rotation of the force `force` at `arm` to the entries on and below the diagonal.
+/// Adds the stiffness against rotation of a force with the lever arm `arm` to the matrix `stiffness`. Only entries on and below the diagonal change.
 #[inline(always)]
 fn add<const C: usize, X: Packed>(stiffness: &mut [[X; 3]; 3], force: &[X; C], arm: &[X; C]) {
     let mut moments = [*arm; C];
@@ -156,7 +156,8 @@ fn add<const C: usize, X: Packed>(stiffness: &mut [[X; 3]; 3], force: &[X; C], a
     add_moments(stiffness, &moments);
 }
 
-/// Adds the stiffness `(tr V) 1 - ½ (V + Vᵀ)` of the sum V of products of forces and arms; in the plane tr V alone.
+/// Adds the matrix `(tr V) 1 - ½ (V + Vᵀ)` to `stiffness`; in the plane tr V alone. V is the sum of `F rᵀ` over forces F with lever arms r
+/// (`moments`).
 #[inline(always)]
 fn add_moments<const C: usize, X: Packed>(stiffness: &mut [[X; 3]; 3], moments: &[[X; C]; C]) {
     let mut trace = moments[0][0];

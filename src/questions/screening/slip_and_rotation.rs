@@ -36,9 +36,9 @@ pub(crate) struct WhileSticking {
     /// The larger of the object's rotations under the base load and under the whole load (factor 1), rad. NaN if the position of the object is not
     /// determined, or if no rotation was computed.
     pub(crate) turn: f64,
-    /// An upper bound of the fraction of the stiffness against rotation that the contact forces and the load take away, because their points of
-    /// action turn with the object. If the bound is below 1, the grasp does not buckle. The bound holds under the base load and under the whole load.
-    /// NaN if it is not known, if no contact carries a force, or if no rotation was computed.
+    /// Contact forces and the load reduce the stiffness against rotation, because their points of action turn with the object. This number is an
+    /// upper bound of the fraction that they take away. If the bound is below 1, the grasp does not buckle. The bound holds under the base load and
+    /// under the whole load. NaN if it is not known, if no contact carries a force, or if no rotation was computed.
     pub(crate) taken: f64,
 }
 

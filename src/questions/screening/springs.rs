@@ -1,7 +1,8 @@
 //! Contact forces while all contacts stick, under loads and commands, in one of three ways. Two contacts in the plane have a closed form ([`Pair`]).
-//! Three contacts in space have three unknown forces along the edges of their triangle ([`Triangle`]). All other grasps have the motion of the object
-//! as the unknown ([`RigidBody`]). A command is the displacement that a finger would make without the object. A clearance is the gap between finger
-//! and object before the command; it is negative if they overlap. A block holds as many grasps as a SIMD vector has numbers (lanes).
+//! Three contacts in space may have three unknown forces along the edges of their triangle ([`Triangle`], if [`Method`] so decides). All other grasps
+//! have the motion of the object as the unknown ([`RigidBody`]). A command is the displacement that a finger would make without the object. A
+//! clearance is the gap between finger and object before the command; it is negative if they overlap. A block holds as many grasps as a SIMD vector
+//! has numbers (lanes).
 
 use super::balance::RigidBody;
 use super::block::{Block, Commanded, Layout};

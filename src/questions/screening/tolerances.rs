@@ -1,9 +1,9 @@
 //! Tolerances with which screening calls an answer unclear, or refines contact forces. Screening computes, for many grasps, the load factor at which
-//! the first contact stops sticking.
+//! the first contact stops sticking, or the least factor on the commands with which all contacts stick.
 //!
 //! All of them but the bounds of products are dimensionless. The margin of a contact is `μ F_n - |F_t|`; it is positive while the contact sticks. F'
-//! is the rate of a contact force F, per unit of the load factor. If more than a few refinements of the forces would be needed, the answer is
-//! unclear.
+//! is the rate of a contact force F, per unit of the load factor, or of the sought factor on the commands. If more than a few refinements of the
+//! forces would be needed, the answer is unclear.
 
 /// A contact may be on the edge of its friction cone if its margin at load factor zero is below this fraction of two forces together. The first is
 /// its contact force. The second is the size of the spring forces of which the contact force is the difference.
@@ -23,10 +23,11 @@ pub(super) const WORKS_ON_FREE_MOTION: f64 = 1e-6;
 /// If this were smaller, refinement would gain nothing. If larger, the force of a soft contact would lose digits if another contact is stiff.
 pub(super) const IMPROVABLE: f64 = 1e-14;
 
-/// The rate at which a margin decreases, per unit of the load factor, must be at least this multiple of the rounding error of the rate.
+/// The rate at which a margin decreases, per unit of the sought factor on load or commands, must be at least this multiple of the rounding error of
+/// the rate.
 ///
-/// If a margin decreases more slowly, fewer than six digits of the load factor at which it vanishes are right, and the answer is unclear. If this
-/// number were larger, more grasps would be unclear.
+/// If a margin decreases more slowly, fewer than six digits of the factor at which it vanishes are right, and the answer is unclear. If this number
+/// were larger, more grasps would be unclear.
 pub(super) const SHARP_MARGIN: f64 = 1e6;
 
 /// Least accepted product, N², of the size of a contact force and the size of its rate, for contacts in space: `(μ|F_n| + |F_t|) (μ|F_n'| + |F_t'|)`.
