@@ -194,7 +194,8 @@ pub struct Loss<const C: usize> {
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub jumped: Vec<JumpSlip<C>>,
     /// A virtual motion of the object, in the engine's coordinates, along which contact forces do no negative work at the loss, or little. If the
-    /// growing load does positive work along this motion, it may prove that no equilibrium exists beyond the loss. `None` if no such motion is known.
+    /// growing load does positive work along this motion, the motion may prove that no equilibrium exists beyond the loss. `None` if no such motion
+    /// is known.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub(crate) against: Option<Coordinates>,
     /// The motion with which the object leaves, in the engine's coordinates.
