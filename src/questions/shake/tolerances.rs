@@ -25,8 +25,8 @@ pub(super) const NEAR_THE_LIMIT_ON_ARCS: f64 = 1e-5;
 /// slips in a cycle with large jumps would not be reported. A walk (the same motion in every cycle) is recognised by slips of any size.
 pub(super) const SLIP_OF_JUMPS: f64 = 1e-5;
 
-/// If forces and gaps change by at most this relative number per cycle, the answer calls the forces constant. The number exceeds the error, by
-/// default 1e-9, that is allowed for a load path followed in integration steps.
+/// If forces and gaps change by at most this relative number per cycle, the answer calls the forces constant. The number exceeds the error that is
+/// allowed for one integration step of a load path, by default 1e-9.
 ///
 /// If smaller, rounding is reported as a change. If larger, small changes that add up over the cycles are not reported.
 pub(super) const CONSTANT_FORCES: f64 = 1e-8;
