@@ -80,9 +80,9 @@ pub enum Error {
         contact: ContactLabel,
         /// The quantity that is out of range: a dimension of the surface, or the position or normal of the contact relative to the surface.
         field: &'static str,
-        /// The value that was given.
+        /// The given value of the quantity `field`.
         value: f64,
-        /// The allowed values.
+        /// The allowed values, in words.
         allowed: &'static str,
     },
     /// A component of a wrench is not finite, or larger than 1e50 in size.
@@ -92,7 +92,7 @@ pub enum Error {
         what: &'static str,
         /// Index of the component, from 0: forces first, then moments, then the torques on the joints of a hand.
         component: usize,
-        /// The value that was given.
+        /// The given value of the component.
         value: f64,
     },
     /// An index of a contact is not below the number of contacts.
@@ -100,7 +100,7 @@ pub enum Error {
         "contact: {contact} given, must be less than {contacts}, the number of contacts, which are counted from 0"
     )]
     NoSuchContact {
-        /// The index that was given.
+        /// The given index of a contact, from 0.
         contact: usize,
         /// The number of contacts.
         contacts: usize,
@@ -108,9 +108,9 @@ pub enum Error {
     /// The length of a list with one entry for each contact differs from the number of contacts.
     #[error("{what}: {given} given, must be {expected}, one a contact")]
     Size {
-        /// The list, such as "commands" or "command changes".
+        /// Name of the list, such as "commands" or "command changes".
         what: &'static str,
-        /// The length that was given.
+        /// The length of the given list.
         given: usize,
         /// The number of contacts.
         expected: usize,
@@ -128,9 +128,9 @@ pub enum Error {
     Fingertip {
         /// The quantity at fault: a radius or a width (m), or a number of annuli, strips or points.
         what: &'static str,
-        /// The value that was given.
+        /// The given value of the quantity `what`.
         value: f64,
-        /// The allowed values.
+        /// The allowed values, in words.
         allowed: &'static str,
     },
     /// A mesh file is missing or cannot be read, or the mesh encloses no volume although a volume is needed.
@@ -159,11 +159,11 @@ pub enum Error {
     /// An argument of a method, or a number of a question, is out of range. Numbers of a contact, a wrench or a hand have errors of their own.
     #[error("{what} is {value}, must be {allowed}")]
     Argument {
-        /// The number, such as "angle of the turn".
+        /// The quantity that is out of range, such as "angle of the turn".
         what: &'static str,
-        /// The value that was given.
+        /// The given value of the quantity `what`.
         value: f64,
-        /// The allowed values.
+        /// The allowed values, in words.
         allowed: &'static str,
     },
     /// A number of an observed slip, of an unknown to be identified or of a known sum of unknowns is out of range.
@@ -173,9 +173,9 @@ pub enum Error {
         what: String,
         /// The quantity that is out of range.
         field: &'static str,
-        /// The value that was given.
+        /// The given value of the quantity `field`.
         value: f64,
-        /// The allowed values.
+        /// The allowed values, in words.
         allowed: &'static str,
     },
     /// The library panicked while it answered one grasp or question: a fault of the library, not of the input. In a batch all others are still
@@ -216,8 +216,8 @@ pub enum Error {
         /// The largest difference of this quantity, in its own unit.
         off: f64,
     },
-    /// The method limits contact forces by a budget of normal forces. This contact may pull, is bonded or has infinite friction; a budget therefore
-    /// does not limit its force.
+    /// The method that was called limits contact forces by a budget of normal forces. A contact may pull, is bonded or has infinite friction, so that
+    /// a budget does not limit its force.
     #[error("{question} bounds normal forces: contact {contact} pulls, is bonded or has infinite friction")]
     Unlimited {
         /// Name of the method that gave the error.
@@ -225,8 +225,8 @@ pub enum Error {
         /// The contact whose force a budget does not limit.
         contact: ContactLabel,
     },
-    /// The method decides whether contacts can balance loads of any size. The vacuum of suction cups helps to balance limited loads only, about which
-    /// this method says nothing.
+    /// The method that was called decides whether contacts can balance loads of any size. The vacuum of suction cups helps to balance limited loads
+    /// only, about which this method says nothing.
     #[error(
         "{question} asks for loads of any size: the vacuum of contact {contact} is limited, ask load_limit or ferrari_canny"
     )]
@@ -271,9 +271,9 @@ pub enum Error {
         name: String,
         /// The quantity that is out of range.
         field: &'static str,
-        /// The value that was given.
+        /// The given value of the quantity `field`.
         value: f64,
-        /// The allowed values.
+        /// The allowed values, in words.
         allowed: &'static str,
     },
     /// One number of one joint, tendon or finger is out of range.
@@ -283,9 +283,9 @@ pub enum Error {
         what: String,
         /// The quantity that is out of range.
         field: &'static str,
-        /// The value that was given.
+        /// The given value of the quantity `field`.
         value: f64,
-        /// The allowed values.
+        /// The allowed values, in words.
         allowed: &'static str,
     },
     /// A matrix of a hand is not symmetric, or has a negative eigenvalue.
@@ -312,7 +312,7 @@ pub enum Error {
         /// Required rows and columns.
         expected: (usize, usize),
     },
-    /// The method supports only one object, held by contacts with springs of their own. The grasp has joints or several bodies.
+    /// The method that was called supports only one object, held by contacts with springs of their own. The grasp has joints or several bodies.
     #[error(
         "{question} knows neither joints nor several bodies: ask it of one object that no hand with joints holds"
     )]
@@ -320,7 +320,7 @@ pub enum Error {
         /// Name of the method that gave the error.
         question: &'static str,
     },
-    /// The method finds contacts that slide but does not support kinetic friction lower than static friction, which this contact has.
+    /// The method that was called finds contacts that slide but does not support kinetic friction lower than static friction, which a contact has.
     #[error(
         "{question} does not know that the friction of contact {contact} is lower once it slides: ask hold, follow or shake, which do, or leave kinetic friction out"
     )]
@@ -330,8 +330,8 @@ pub enum Error {
         /// The contact with lower kinetic friction.
         contact: ContactLabel,
     },
-    /// The method supports several bodies but no joints. A contact with a constant normal force counts as a joint, since its finger follows the
-    /// object on a slide, a prismatic joint along the normal.
+    /// The method that was called supports several bodies but no joints. A contact with a constant normal force counts as a joint: its finger follows
+    /// the object along a prismatic joint in the direction of the normal.
     #[error(
         "{question} knows no joints: ask it of bodies that no hand with joints holds, and no contact presses with a given force"
     )]
@@ -344,7 +344,7 @@ pub enum Error {
     JointCommands {
         /// Name of the list, such as "joint commands".
         what: &'static str,
-        /// The length that was given.
+        /// The length of the given list.
         given: usize,
         /// Number of joints and tendons.
         expected: usize,

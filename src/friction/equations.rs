@@ -57,7 +57,7 @@ pub(super) trait Equations<const C: usize> {
     /// Residuals and derivatives at the forces r.
     fn at(&self, r: DVector<f64>) -> Linearisation<C>;
 
-    /// Multiple of the identity that is added to a contact's diagonal block of the matrix W. It makes the equations of redundant contacts
+    /// Multiple of the identity that is added to a contact's diagonal block of the matrix W. This shift makes the equations of redundant contacts
     /// regular.
     fn shift(&self, contact: usize) -> f64;
 

@@ -47,9 +47,9 @@
 //!   with less: SLIPS OUT at once, under any part of 200 N: block moves along −y
 //! ```
 //!
-//! Ropes at 45° pull each lever upwards with W/2, and inwards with the same force. The lever arms about the pin are 0.2 m and 0.15 m above it, 0.15 m
-//! and 0.3 m below. Each jaw then presses with 0.25/0.3 W and has to carry W/2, for any W: `μ = 0.6`. Ropes are links that go slack where they would
-//! have to push.
+//! Ropes at 45° pull each lever upwards with W/2, and inwards with the same force. About the pin, the rope's force has the arms 0.2 m (of its upward
+//! part) and 0.15 m (of its inward part). The forces of a jaw have the arms 0.15 m (friction) and 0.3 m (normal force). Each jaw then presses with
+//! 0.25/0.3 W and has to carry W/2, for any W: `μ = 0.6`. Ropes are links that go slack where they would have to push.
 //!
 //! # Do three parts side by side stay in one gripper?
 //!
@@ -156,5 +156,5 @@
 //! order, like all displacements: the tension of a cable keeps its direction as its line turns. The equations of many bodies are ordered by body, and
 //! bodies that touch are close to each other in this order. A wall of 1 000 bricks settles in about a second, and `hold` follows a push until it is
 //! lost in some seconds: the programs `several_bodies` and `scaling` in `examples/reports` print the times. These times are for the plane. In space
-//! half a brick rests on four points; a wall of 36 bricks takes a tenth of a second, one of 100 bricks some seconds. For a structure that cannot
-//! stand, the proof takes no longer.
+//! each half of a brick rests on four points; a wall of 36 bricks takes a tenth of a second, one of 100 bricks some seconds. For a structure that
+//! cannot stand, the proof takes no longer.

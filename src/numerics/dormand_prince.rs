@@ -15,7 +15,7 @@ use crate::prelude::*;
 /// A weighted sum of stages, as pairs of stage index and coefficient.
 type Sum = &'static [(usize, f64)];
 
-/// The coefficients of the method.
+/// The coefficients of the Runge-Kutta method, as at the top of the file.
 struct Tableau {
     /// Coefficients a_sj of each stage after the first, row by row.
     ways: [Sum; 11],

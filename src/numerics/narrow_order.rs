@@ -1,7 +1,8 @@
 //! An order of coordinates in which coupled coordinates are close to each other, so that a matrix over these coordinates has a narrow band.
 //!
-//! Coordinates that always occur together form one node of a graph. The nodes are visited breadth first, starting from a peripheral node, and
-//! neighbours of low degree first (Cuthill–McKee order).
+//! A coupling is a pair of ranges of coordinates between which the matrix may have entries. Coordinates that occur in the same couplings form one
+//! node of a graph, and each coupling joins nodes. The nodes are visited breadth first, starting from a peripheral node, and neighbours of low degree
+//! first (Cuthill–McKee order).
 //!
 //! Source: A. George and J. W. H. Liu, Computer Solution of Large Sparse Positive Definite Systems (1981), chapter 4.
 
@@ -12,7 +13,7 @@ use super::mapped::mapped;
 use crate::prelude::*;
 
 /// For each of `count` coordinates, its position in the new order, counted from 0. A coupling is a pair of ranges of coordinates; the matrix may have
-/// entries between all of these coordinates.
+/// entries between any two coordinates of these ranges.
 pub(crate) fn narrow_order(count: usize, couplings: &[[Range<usize>; 2]]) -> Vec<usize> {
     let (starts, neighbours) = graph(count, couplings);
     let node_count = neighbours.len();

@@ -7,7 +7,7 @@ use crate::prelude::*;
 
 const WEYL_STEP: u64 = 0x9E37_79B9_7F4A_7C15;
 
-/// Number i of a fixed list of irregular numbers, each from 1/2 to below 3/2: perturbations that break ties, and data of tests.
+/// Number i of a fixed list of irregular numbers, each from 1/2 to below 3/2. They serve as perturbations that break ties, and as data of tests.
 pub(crate) fn generic(i: usize) -> f64 {
     let bits = mixed((i as u64).wrapping_add(1).wrapping_mul(WEYL_STEP));
     0.5 + (bits >> 11) as f64 / (1_u64 << 53) as f64

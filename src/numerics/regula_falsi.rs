@@ -1,7 +1,8 @@
 //! The argument at which a function of one variable changes sign, by regula falsi with the rule of Illinois.
 //!
 //! The secant through both ends of a bracket crosses zero at the next argument, which replaces one end. If the same end is replaced twice in a row,
-//! the value stored for the other end is halved. Thus both ends approach the root. Three evaluations together converge with order three.
+//! the value stored for the other end is halved. Thus both ends approach the root. Near the root, three evaluations reduce the error to about its
+//! cube (order of convergence three).
 //!
 //! Source: Dowell and Jarratt, A modified regula falsi method for computing the root of an equation, BIT 11, 1971.
 

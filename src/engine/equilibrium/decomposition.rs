@@ -29,7 +29,7 @@ impl Engine {
         let carries: Vec<bool> =
             (0..self.len()).map(|i| contact(i).is_some_and(|c| c.state != ContactState::Separated)).list();
         let load = self.inside_unchecked(&self.with_vacuum(&equilibrium.load));
-        // Only the components of the load on the object are decomposed here, not its components on joints.
+        // The equilibrating forces balance only the load on the object. Components of the load on joints are left out.
         let load = self.space().object_alone(&load);
         let on_object = |site: &Site| {
             let mut map = Map::zeros(site.map.size());

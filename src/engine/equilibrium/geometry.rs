@@ -15,8 +15,8 @@ use nalgebra::{SMatrix, SVector};
 use crate::grasp::{Site, Space};
 use crate::numerics::Map;
 
-/// The change of the grasp map of a contact per metre by which its point moves along a coordinate axis. The engine measures arms in units of
-/// `length`.
+/// The change of the grasp map of a contact per metre by which its point moves along a coordinate axis. `length`, m, is the unit in which the engine
+/// measures arms, so that a metre is an arm of `1 / length`.
 pub(super) fn map_by_point(site: &Site, axis: usize, length: f64) -> Map {
     let mut arm = SVector::<f64, 3>::zeros();
     arm[axis] = 1.0 / length;

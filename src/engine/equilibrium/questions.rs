@@ -71,9 +71,9 @@ impl Engine {
         for found in search.found {
             add(found, FoundBy::Enumeration, &effort);
         }
-        // On the round cone, the search above starts Newton's method from equilibria on a polygonal cone. A polygon inside the round cone may allow
-        // no equilibrium, or none near an equilibrium on the round cone. Newton's method then misses the equilibrium on the round cone, and therefore
-        // the search of `solve` is made, too.
+        // On the round cone, the search for all equilibria, above, starts Newton's method from equilibria on a polygonal cone. A polygon inside the
+        // round cone may allow no equilibrium, or none near an equilibrium on the round cone. Newton's method then misses the equilibrium on the
+        // round cone, and therefore the search of `solve` is made, too.
         if problem.round
             && let (SearchOutcome::Found(found, rule), effort) = settle(&problem, settings)
         {
@@ -83,8 +83,8 @@ impl Engine {
         Ok(list)
     }
 
-    /// The equilibrium problem of this grasp under a load, with the friction cone of the settings. Returns an error if the load or the limits of
-    /// small motions are invalid.
+    /// The equilibrium problem of this grasp under a load, with the friction cone of the settings. Returns an error if the load is invalid, or the
+    /// limits of rotation, slip and opening up to which motions count as small.
     pub(super) fn problem_under(&self, load: &Wrench<3>, settings: &Settings) -> Result<Problem<'_>, Error> {
         settings.small_motions.check()?;
         let polygon = Polygon::shared(self.space(), &settings.cone);

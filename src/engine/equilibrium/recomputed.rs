@@ -262,7 +262,8 @@ impl Engine {
         // If no contact carries a force, the computed forces are rounding. Their size is proportional to the force that displacements could
         // cause in a spring.
         force_size += spring_force;
-        // Moments are compared with the sum of the absolute values of all moments, plus the size of forces times the root mean square lever arm.
+        // The resultant moment is divided by the sum of the absolute values of all moments, plus the size of forces times the root mean square lever
+        // arm.
         moment_size += force_size * self.length();
         let force = space.linear_part::<3>(&sum).norm();
         let moment = sum.iter().take(space.of_the_object()).skip(axes).map(|m| m * m).sum::<f64>().sqrt();

@@ -116,8 +116,8 @@ pub(super) fn continuation(
 pub(super) struct EquilibriumEnd<'f> {
     pub(super) factor: f64,
     pub(super) forces: &'f [SVector<f64, 3>],
-    /// A virtual motion of the object, about the centroid of the contacts, along which contact forces at the end can do no work. This motion may
-    /// prove that no equilibrium exists beyond the end. `None` if no such motion is known.
+    /// A virtual motion of the object, about the centroid of the contacts, along which no contact force does work in the contact states at the end.
+    /// This motion may prove that no equilibrium exists beyond the end. `None` if no such motion is known.
     pub(super) motion: Option<Vector>,
 }
 
@@ -228,8 +228,8 @@ fn from_scratch<'g>(
 }
 
 /// Whether `found` could be the contact forces of a continued path at the distance `part` beyond its end, where the forces are `forces`. This
-/// requires that the force of each contact differs by at most √ε times the largest force, with ε = `part`, but at most 1e-6 ([`LITTLE_BEYOND`]). The
-/// root is taken because forces may change with the root of the distance, as next to a fold.
+/// requires that each entry of `found` differs from the entry of `forces` by at most √ε times the largest force. ε is the smaller of `part` and 1e-6
+/// ([`LITTLE_BEYOND`]). The root is taken because forces may change with the root of the distance, as next to a fold.
 fn is_near(found: &[SVector<f64, 3>], forces: &[SVector<f64, 3>], part: f64) -> bool {
     let largest = largest(forces, &nalgebra::Matrix::norm);
     let near = part.min(LITTLE_BEYOND).sqrt();

@@ -9,7 +9,7 @@ use crate::grasp::{Engine, Wrench};
 use crate::numerics::{Each, Vector, paired};
 use crate::prelude::*;
 
-/// The name of a body, and the load on it at the end of a leg (`To`) or its change along the leg (`By`).
+/// The name of a body, and the load on this body: its value at the end of a leg (`To`), or its change along the leg (`By`).
 pub(super) type BodyGoal<const C: usize> = (Arc<str>, LegGoal<Wrench<C>>);
 
 impl<const C: usize> Leg<C> {

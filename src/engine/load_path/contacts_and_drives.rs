@@ -34,8 +34,8 @@ impl Engine {
         (contacts, drives)
     }
 
-    /// Separates contacts that stop sticking, whose labels are filled in, from drives that yield or slacken. A drive is labelled by its joint or
-    /// tendon.
+    /// Divides a list of contacts and drives that leave their states into contacts that stop sticking and drives that yield or slacken. Contacts get
+    /// their labels; a drive is labelled by its joint or tendon.
     pub(super) fn leaving_apart(
         &self,
         mut leaving: Vec<DepartingContact<3>>,

@@ -11,9 +11,9 @@ use crate::numerics::{Each, Harmonic, mapped};
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 
-/// Energies of one leg (section of the load program), J: `load_work + finger_work = stored + dissipated`. Along a straight piece forces and motions
-/// are affine in the load factor; under a load that turns they are harmonics of its angle. Thus every integral is exact. If contacts slide on the
-/// round cone, works are integrated along with the slips.
+/// Energies of one leg (section of the load program), J: `load_work + finger_work = stored + dissipated`. If no contact slides on the round cone,
+/// forces and motions are affine in the load factor on each piece of the path. Under a load that turns they are harmonics of its angle. In both cases
+/// every integral is exact. If contacts slide on the round cone, works are integrated along with the slips.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]

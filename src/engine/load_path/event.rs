@@ -193,8 +193,9 @@ pub struct Loss<const C: usize> {
     /// equilibrium is lost. Empty if no friction fell.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub jumped: Vec<JumpSlip<C>>,
-    /// A virtual motion of the object, in the engine's coordinates, along which contact forces can do little or no negative work at the loss.
-    /// This motion may prove that no equilibrium exists beyond the loss. `None` if no such motion is known.
+    /// A virtual motion of the object, in the engine's coordinates, along which contact forces do no negative work at the loss, or little. If the
+    /// growing load does positive work along this motion, the motion may prove that no equilibrium exists beyond the loss. `None` if no such motion
+    /// is known.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub(crate) against: Option<Coordinates>,
     /// The motion with which the object leaves, in the engine's coordinates.
@@ -203,8 +204,8 @@ pub struct Loss<const C: usize> {
 }
 
 impl<const C: usize> Loss<C> {
-    /// The virtual motion of the object, about the centroid of the contacts, that may prove the loss: contact forces can do little or no
-    /// negative work along it. `None` if no such motion is known.
+    /// The virtual motion of the object, about the centroid of the contacts, that may prove the loss: contact forces do no negative work along this
+    /// motion, or little. `None` if no such motion is known.
     pub(crate) fn virtual_motion(&self) -> Option<&Coordinates> {
         self.against.as_ref()
     }

@@ -172,7 +172,7 @@ impl Node {
     }
 
     /// Tries the usual solutions of the rate problem `rates`: all contacts keep their states, or contacts on the edge of their cones slide. Returns
-    /// [`CandidateOutcome::Holds`] with the first solution that meets all conditions.
+    /// [`CandidateOutcome::Holds`] with the first of these solutions that meets all conditions of its contact states.
     fn guess(&self, segment: &Segment<'_>, factor: f64, rates: &Problem) -> CandidateOutcome {
         // All contact states may stay as they are only at the start of a leg: within a leg the present state of some contact has just stopped
         // being valid.

@@ -1,7 +1,8 @@
-//! Advance along a piece of the load path on which no contact slides on a round cone. Forces and motions are affine in the fraction of the leg.
-//! A ratio test gives the next event, where a force reaches an edge of its cone, a gap closes, or a slip reverses. While the load turns, forces
-//! and motions are harmonics of its angle, and the event is a root of a trigonometric polynomial ([`super::turning_load`]). A leg is a section of the
+//! Advance along a piece of the load path on which no contact slides on a round cone. Forces and motions are affine in the fraction of the leg. A
+//! ratio test gives the next event, where a force reaches an edge of its cone, a gap closes, or a slip reverses. While the load turns, forces and
+//! motions are harmonics of its angle, and the event is a root of a trigonometric polynomial ([`super::turning_load`]). A leg is a section of the
 //! load program; the load factor is the fraction of it that is done. The active set of a contact has the edges of its cone on which its force lies.
+//! An exit of a contact is a load factor at which its present state ends.
 
 use super::event::PathEnd;
 use super::first_exits::ExitsReached;
@@ -16,7 +17,7 @@ use crate::search::Doubt;
 
 impl<'g> PiecewiseFollower<'g> {
     /// Advances along the present piece to its end: the first exit, where the present state of a contact ends, or the end of the leg. Adds the piece
-    /// to the list of the pieces behind. Returns whether the leg is complete.
+    /// to the list of finished pieces. Returns whether the leg is complete.
     pub(super) fn advance_straight(&mut self, run: &ProgramRun<'g>) -> Result<bool, PathEnd<3>> {
         let Some(point) = self.point.clone() else {
             return Err(run.undecided(self.factor, Doubt::OnTheBoundary));
@@ -50,7 +51,7 @@ impl<'g> PiecewiseFollower<'g> {
         // rounding makes the path cycle.
         let piled_up = self.stalls > 64;
         if piled_up && !self.runs_out(&reached) {
-            // Two continuations of the path alternate, and only rounding would decide between them.
+            // Two continuations of the path alternate in steps of length zero, and only rounding would decide between them.
             return Err(run.undecided(self.factor, Doubt::OnTheBoundary));
         }
         let end = self.state_after(&point, step);

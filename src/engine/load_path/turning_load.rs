@@ -1,6 +1,6 @@
-//! The state of a load path under a load that turns. It takes three linear solves, one each for the constant, cosine and sine terms of the load. As
-//! long as contacts keep their states, the solutions also give forces, stretches and twist as harmonic functions of the load's angle. A leg is a
-//! section of the load program; the load factor is the fraction of it that is done.
+//! The state of a load path under a load that turns. Three linear solves give this state, one each for the constant, cosine and sine terms of the
+//! load. As long as contacts keep their states, the solutions also give forces, stretches and twist as harmonic functions of the load's angle. A leg
+//! is a section of the load program; the load factor is the fraction of it that is done.
 
 use alloc::sync::Arc;
 
@@ -16,7 +16,8 @@ use crate::numerics::{Harmonic, Vector, mapped, numbered, paired};
 use crate::object::{ForcesAndTwist, LinearProblem};
 
 impl Segment<'_> {
-    /// Whether the load turns along this leg and its rate vanishes at the load factor `factor`, where it turns back.
+    /// Whether the load turns along this leg, and its rate vanishes at the load factor `factor`. There a load that moves to and fro along a line
+    /// reverses.
     pub(super) fn load_turns_back(&self, factor: f64) -> bool {
         let Trajectory::Turn { load, angle } = &self.trajectory else { return false };
         // The rate of the load is taken as zero below this fraction of the largest rate that the load has while it turns. Rounding of the angle
@@ -54,7 +55,8 @@ impl Segment<'_> {
         let mut point =
             self.point_with_rates(linear_problem.clone(), factor, at.clone(), (&rate, 1.0), (factor, &at));
         let turned = self.harmonics(&turned_load, angle, &parts);
-        // A force or gap that vanishes at some angle still has a rounding error in proportion to its size at other angles.
+        // The rounding error of a force or gap is proportional to its size over all angles of the load. It does not vanish at an angle at which the
+        // force or gap vanishes.
         for ((line, gap), [force, stretch]) in point.lines.iter_mut().zip(&mut point.gaps).zip(&turned.waves)
         {
             line.force_size = line.force_size.max(force.size);
@@ -102,8 +104,8 @@ impl Segment<'_> {
             let of = states.map(|(offsets, _, part)| sites[i].stretch(&offsets[i], &part.twist));
             let spans = states.map(|(offsets, _, part)| sites[i].span(&offsets[i], &part.twist));
             let turning_size = spans.cosine + spans.sine;
-            // The size of a stretch includes the accumulated slip, which is subtracted from the command. If both cancel, their rounding errors do
-            // not.
+            // The size of a stretch includes the accumulated slip, which is subtracted from the command. If slip and command cancel, their rounding
+            // errors do not.
             let size = problem.slips[i].norm() + spans.constant + turning_size;
             [force, Wave { of, size, turning_size }]
         };
@@ -112,7 +114,7 @@ impl Segment<'_> {
     }
 }
 
-/// Forces and twist at angle zero: the sum of the solutions in `parts` under the constant and the cosine term of the load.
+/// Forces and twist at the load's angle zero: the sum of the solutions in `parts` under the constant and the cosine term of the load.
 pub(super) fn at_start(parts: &Harmonic<ForcesAndTwist>) -> ForcesAndTwist {
     let Harmonic { constant, cosine, .. } = parts;
     let forces = paired(&constant.forces, &cosine.forces, &|(f, more)| f + more);

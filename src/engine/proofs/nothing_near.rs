@@ -10,8 +10,8 @@
 //! ```
 //!
 //! Here a_i are the commanded offsets (commanded displacements minus clearances and slips), n is the contact normal, and x₊ stands for max(x, 0). At
-//! the lost equilibrium, with motion q*, contact i has the stretch v_i and the normal stretch x_i. Since `x₊ = x + (-x)₊`, the bound at the motion
-//! `q* + δ` satisfies
+//! the lost equilibrium, with motion q*, contact i has the stretch vector v_i and the normal stretch x_i. (The stretches v_i are no parts of the
+//! virtual motion v.) Since `x₊ = x + (-x)₊`, the bound at the motion `q* + δ` satisfies
 //!
 //! ```text
 //! h  <=  Σ c_i x_i + Σ r_i·v_i  +  |(Σ c_i G_i n + Σ G_i r_i)·δ|  +  Σ c_i (|G_i n·δ| - x_i)₊

@@ -10,9 +10,9 @@
 //!
 //! G_i is the grasp map, k the normal stiffness, a_n the commanded normal offset (commanded displacement minus clearance), and n·u(q) the normal
 //! motion of a contact. These conditions do not fix the direction of friction. They are linear, Γ x + w = 0 with unknowns x >= 0, columns γ of the
-//! matrix Γ and a vector w. At the x >= 0 for which Γ x + w is smallest, this residual y has y·γ >= 0 for all columns γ. It proves that no x solves
-//! the conditions if y·w > 0 (Farkas). Along a line of loads w is linear. Thus y·w >= 0 at the first load and y·w > 0 at the last prove that no load
-//! between them can be balanced.
+//! matrix Γ and a vector w. At the x >= 0 for which Γ x + w is smallest, this residual y has y·γ >= 0 for all columns γ. If y·w > 0, then y proves
+//! that no x solves the conditions (Farkas). Along a line of loads w is linear. Thus y·w >= 0 at the first load and y·w > 0 at the last prove that no
+//! load between them can be balanced.
 
 use nalgebra::{DMatrix, DVector, SVector};
 
@@ -28,7 +28,7 @@ use crate::prelude::*;
 pub(crate) fn nothing_holds(here: &Problem, past: &Problem) -> bool {
     let free: Vec<usize> = chosen(here.len(), &|&i| here.local(i).may_open());
     let whole = !here.locals().any(|local| local.is_absent() || local.is_on_an_edge());
-    // If more than eight contacts may open, trying all 2ⁿ choices of open contacts would take too long.
+    // If n contacts may open, there are 2ⁿ choices of open contacts. For n > 8 trying all of them would take too long.
     whole
         && free.len() <= 8
         && every_index(1_usize << free.len(), &|choice| {

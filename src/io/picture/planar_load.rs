@@ -80,7 +80,7 @@ impl<'l> LoadOnPaper<'l> {
             painting.dashes(axes.line_ends(at, (force / force.amax()).normalize()), GREY, 1.0);
         }
         if moment != 0.0 {
-            // The gap of the arc is in the direction of the force.
+            // The arc of the moment's arrow is open on the side to which the force points.
             painting.arc(self.from, MARKS.moment_arc, self.load.angle(), moment < 0.0, BLACK, 2.0);
             painting.dot(flat(self.from), 3.0, BLACK, false);
         }
@@ -93,7 +93,7 @@ impl<'l> LoadOnPaper<'l> {
             labels.write(paper, self.tip, &[&format!("load {} N{scale}", short(force.norm()))], size);
         }
         if moment != 0.0 {
-            // The name is written on the closed side of the arc.
+            // The label is written on the closed side of the arc.
             let ((x, y), (sin, cos)) = (self.from, self.load.angle().sin_cos());
             let words = format!("moment {} N m", short(moment));
             labels.write(paper, (x - MARKS.moment_arc * cos, y + MARKS.moment_arc * sin), &[&words], size);

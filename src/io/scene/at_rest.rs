@@ -136,8 +136,8 @@ impl Setup<3> {
             }
         }
         if pressed > 0 && warnings.len() == pressed {
-            // If no contact presses with the force that the scene states, all contacts may be on the same side. One warning about this common reason
-            // then replaces the others.
+            // If no contact presses with the force that the scene states, the reason may be that all contacts are on the same side of the object. One
+            // warning about this reason then replaces the warnings about single contacts.
             warnings = self.same_side().map_or(warnings, |why| vec![why]);
         }
         let contacts = self.entries().count();

@@ -31,8 +31,8 @@ impl Entries {
     }
 }
 
-/// Adds the product of a square matrix and the vector `times` to `sum`. Vectors of N components are multiplied in place, without loops over a length
-/// known only at run time.
+/// Adds the product of a square matrix and the vector `times` to `sum`. If both vectors have N components, the compiler knows the length of the
+/// loops. Otherwise the length is known only at run time.
 #[inline]
 fn fixed_product<const N: usize>(entries: &[f64], times: &List, sum: &mut List) {
     match (times.fixed::<N>(), sum.fixed_mut::<N>()) {

@@ -15,9 +15,8 @@ impl<const C: usize> Grasp<C> {
     ///
     /// On the round cone the list may be incomplete. It has the equilibrium of [`Self::solve`], and those that Newton's method reaches from the
     /// equilibria on the polygonal cone. An empty list does not prove that no equilibrium exists: [`Self::solve`] returns a proof if it finds one. An
-    /// equilibrium that
-    /// satisfies several combinations, as with a contact exactly on the edge of its cone, is listed once. If equilibria form a line, one of its
-    /// points is listed, with the directions of the line in [`neutral_motions`](Equilibrium::neutral_motions).
+    /// equilibrium that satisfies several combinations of contact states, as with a contact exactly on the edge of its cone, is listed once. If
+    /// equilibria form a line, one of its points is listed, with the directions of the line in [`neutral_motions`](Equilibrium::neutral_motions).
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
@@ -64,9 +63,8 @@ impl<const C: usize> Grasp<C> {
     ///
     /// A state has conditions on gap, normal force, friction margin (`μ F_n - |F_t|`) and slip. Each condition is a difference of two terms. The
     /// state is distinct if each difference exceeds 1e-12 of its terms, and ten times the estimated error from [`Self::accuracy`]. If the answer is
-    /// `false`, the last
-    /// digits of the data determine, say, whether the contact sticks or just slides. Forces and displacements hardly depend on this. `None` for an
-    /// equilibrium with another number of contacts.
+    /// `false`, the last digits of the data determine, say, whether the contact sticks or just slides. Forces and displacements hardly depend on
+    /// this. `None` for an equilibrium with another number of contacts.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
@@ -150,9 +148,9 @@ impl<const C: usize> Grasp<C> {
 
     /// The [force form](crate::forms) of the linear complementarity problem under a load. Its unknowns are the contact forces, and the twist as a
     /// difference of two non-negative parts ([`Row::Balance`](crate::forms::Row::Balance)). Force components that may have either sign have no rows
-    /// of their own; they enter the balance rows as stiffness. These are all components of bonded contacts (which neither open nor slip), the normal
-    /// force of contacts that are kept closed, and the tangential force of contacts with infinite friction.
-    /// `None` if a number overflows. In the plane `cone` is ignored.
+    /// of their own; they enter the balance rows as stiffness. Such force components are: all components of bonded contacts (which neither open nor
+    /// slip), the normal force of contacts that are kept closed, and the tangential force of contacts with infinite friction. `None` if a number
+    /// overflows. In the plane `cone` is ignored.
     ///
     /// ```
     /// use grasp_lcp::forms::Row;

@@ -295,8 +295,8 @@ impl<const C: usize> Grasp<C> {
         Ok((outside(verdict), more))
     }
 
-    /// The verdict on a load without equilibria, proofs and the data that only its sentence in words needs. The second value is the largest ratio of
-    /// a rotation, slip or opening to its limit of small motions, on the part of the path that was followed.
+    /// A brief verdict on a load. It lacks equilibria, proofs and the data that only its sentence in words needs. The second value is the largest
+    /// ratio of a rotation, slip or opening to its limit of small motions, on the part of the path that was followed.
     pub(crate) fn hold_briefly(&self, load: &Ramp<C>) -> Result<(Verdict<C>, f64), Error> {
         let (verdict, more) = self.engine.hold_with(&inside(load), &self.settings, VerdictScope::Brief)?;
         Ok((outside(verdict), more.farthest))

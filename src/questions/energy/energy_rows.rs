@@ -57,12 +57,13 @@ impl ForceCondition {
         self.law.dot(&forces[self.contact])
     }
 
-    /// Whether these contact forces satisfy the condition up to rounding, if the largest of them is `largest`, N.
+    /// Whether these contact forces satisfy the condition up to rounding. `largest` is the size of the largest of these forces, N.
     pub(super) fn holds(&self, forces: &[SVector<f64, 3>], largest: f64) -> bool {
         self.value(forces) >= -SOLVED_ROUNDING * largest * self.weight
     }
 
-    /// Whether the left side of the condition is zero or negative up to rounding, if the largest contact force is `largest`, N.
+    /// Whether the left side of the condition is zero or negative up to rounding for these contact forces. `largest` is the size of the largest of
+    /// them, N.
     pub(super) fn binds(&self, forces: &[SVector<f64, 3>], largest: f64) -> bool {
         self.value(forces) <= SOLVED_ROUNDING * largest * self.weight
     }

@@ -26,7 +26,7 @@ const STANDS: f64 = 0.05;
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum WayOut<const C: usize> {
-    /// All contacts that touch open: their points move away from the finger in directions more than 45° above its surface.
+    /// Every contact that touches opens: its point moves away from the finger, in a direction more than 45° above the finger's surface.
     LiftsOff {
         /// Unit direction in which the centroid of the contacts moves.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]

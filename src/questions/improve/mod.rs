@@ -24,11 +24,11 @@
 //! ```
 //!
 //! Here k runs over active sticking conditions, b over active limits: to first order no place and squeeze nearby is better. [`Improved::residual`] is
-//! the largest component of the first sum or, if larger, the residual of complementarity. Surfaces are curved, so that there are usually several such
-//! optima. The search starts from the given grasp and from the best of many random ones.
+//! the largest component of the left side of the first equation or, if larger, the residual of complementarity. Surfaces are curved, so that there
+//! are usually several such optima. The search starts from the given grasp and from the best of many random ones.
 //!
-//! A contact may touch without force in the given grasp. Under a load that does not push it, the search takes it as open, as the computation of first
-//! slip does.
+//! A contact may touch without force in the given grasp. Under a load that does not push the object against this contact, the search takes the
+//! contact as open, as the computation of first slip does.
 //!
 //! | file | idea |
 //! |---|---|

@@ -18,7 +18,7 @@ use crate::squeeze::Loads;
 use crate::words::Words;
 
 impl<const C: usize> Need<C> {
-    /// The loads; `None` if the question has none, or has several where only one is allowed.
+    /// The loads of the question; `None` if it has none, or has several where only one is allowed.
     #[cfg(feature = "serde")]
     pub(crate) fn loads(&self) -> Option<Loads<C>> {
         match self.turn {
@@ -50,14 +50,14 @@ impl<const C: usize> Need<C> {
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct CheckedNeed {
     pub(super) sought: Sought,
-    /// The loads. If an arm is sought, the load at displacement 0; if an angle is sought, the load that turns.
+    /// The loads. If an arm is sought, the load at the arm 0, i.e. at its given point of action; if an angle is sought, the load that turns.
     pub(super) loads: Loads<3>,
     /// The load at rest. It is constant unless its multiple is the sought quantity.
     pub(super) base: Wrench<3>,
     pub(super) demand: Demand,
     /// For the safe amount: the reductions of friction and squeeze and the factor on loads.
     pub(super) safety: SafetyDeviations,
-    /// Number of amounts that are tried on both sides of the bound, the least or greatest sufficient amount, once it is found.
+    /// The search finds the least or the greatest sufficient amount. It then tries this number of further amounts on both sides of the amount found.
     pub(super) scan: usize,
     /// Units and digits of numbers in the sentences about insufficient amounts.
     pub(super) words: Words,
@@ -81,7 +81,8 @@ pub(super) enum Sought {
     Angle {
         turn: Turn<3>,
     },
-    /// The load of the body, or the command or force of the contact, link or joint, with the name `of`; the load at rest if there is no name.
+    /// A multiple of one force is sought. `of` names a body, whose load it is, or a contact, link or joint, whose command or force it is. Without a
+    /// name it is the load at rest.
     Force {
         of: Option<String>,
     },
@@ -161,7 +162,7 @@ impl CheckedNeed {
         }
     }
 
-    /// The largest force of the question, N: at rest, of a load, or of any direction.
+    /// The largest force of the question, N: of the load at rest, of the other loads, or of a load whose direction is not given.
     pub(super) fn largest_force(&self) -> f64 {
         let force = |load: &Wrench<3>| load.force_part().norm();
         let of_loads = match &self.loads {
@@ -263,7 +264,8 @@ impl Need<3> {
                 "is given, must be left out unless there is any_force (a load has its own)",
             ));
         }
-        // The loads among the fields of the question that the sought arm or angle would not use.
+        // For each of the fields `load`, `loads`, `any_force` and `turn`: whether it is given although the search for an arm or angle does not use
+        // it.
         let (has_list, any) = (!self.loads.is_empty(), self.any_force.is_some());
         let unused = match self.quantity {
             Quantity::Arm => [false, has_list, any, self.turn.is_some()],

@@ -48,7 +48,8 @@ pub(super) struct Commanded<'a, const C: usize, X: Packed> {
 }
 
 /// Bounds on the sums of the absolute values of the terms that add up to a contact force. The rounding error of the force is proportional to such a
-/// sum. The bounds are zero if forces are found from the motion of the object ([`Method::Motions`](super::method::Method::Motions)).
+/// sum. The bounds are zero if forces are found from the motion of the object ([`Method::Motions`](super::method::Method::Motions)), which bounds the
+/// rounding of each force in another way.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct TermSizes<X: Packed> {
     /// Bound on the sum of the absolute values of the terms of a contact force that are due to the commands, N.

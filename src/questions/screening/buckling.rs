@@ -1,5 +1,5 @@
-//! A bound that shows that a sticking grasp does not buckle, for several grasps, one in each lane of a vector. Forces take resistance away because
-//! their points of action turn with the object; see `equilibrium/left_out`.
+//! A bound that shows that a sticking grasp does not buckle, for several grasps, one in each lane of a vector. Contact forces and the load reduce the
+//! stiffness against rotation, the resistance, because their points of action turn with the object; see `equilibrium/left_out`.
 //!
 //! If contact i is at least as stiff as k_i in every direction, the springs resist rotations about the centroid of the k_i with at least the stiffness
 //! `J = Σ k_i (|r_i|² 1 - r_i r_iᵀ)`, with the arms r_i from this centroid. Forces F at arms r, of contacts and loads, add the geometric stiffness
@@ -24,12 +24,13 @@ pub(super) struct Resistance<const C: usize, X: Packed> {
 pub(super) struct LoadAtPoints<const C: usize, X: Packed> {
     /// The resultant force, N; zero if the points of action are not known, so that the load then adds no stiffness.
     pub(super) force: [X; C],
-    /// The sum of products `F_a r_b` of components of forces and points, N m; zero if the points are not known.
+    /// For components a and b, the sum of `F_a r_b` over the forces F of the load, with their points of action r, N m; zero if the points are not
+    /// known.
     pub(super) moments: [[X; C]; C],
 }
 
 impl<const C: usize, X: Packed> Resistance<C, X> {
-    /// The bound for the contacts of a block. The block stores compliances for [`Method::Edges`], stiffnesses for [`Method::Motions`].
+    /// The lower bound J for the contacts of a block. The block stores compliances for [`Method::Edges`], stiffnesses for [`Method::Motions`].
     #[inline(never)]
     pub(super) fn of<V: Vectors>(v: V, block: &Block<'_, C, X>, method: Method) -> Self {
         let zero = X::all(0.0);
@@ -81,8 +82,9 @@ impl<const C: usize, X: Packed> Resistance<C, X> {
         arm
     }
 
-    /// The square root of `tr (J⁻¹ M)²`: no smaller than the fraction of the resistance that these forces and this load take away, or add, in any
-    /// rotation. NaN if some rotation is not resisted, and if no contact carries a force, so that the object lies loose.
+    /// The square root of `tr (J⁻¹ M)²`: no smaller than the fraction of the stiffness against rotation that these contact forces and this load take
+    /// away, or add, in any rotation. J and M are as at the top of the file. NaN if some rotation is not resisted, and if no contact carries a force,
+    /// so that the object lies loose.
     #[inline(never)]
     pub(super) fn taken<V: Vectors>(
         &self,
@@ -142,7 +144,7 @@ const fn rotations(axes: usize) -> usize {
     2 * axes - 3
 }
 
-/// Adds the stiffness against rotation of the force `force` at `arm` to the entries on and below the diagonal.
+/// Adds the stiffness against rotation of a force with the lever arm `arm` to the matrix `stiffness`. Only entries on and below the diagonal change.
 #[inline(always)]
 fn add<const C: usize, X: Packed>(stiffness: &mut [[X; 3]; 3], force: &[X; C], arm: &[X; C]) {
     let mut moments = [*arm; C];
@@ -154,7 +156,8 @@ fn add<const C: usize, X: Packed>(stiffness: &mut [[X; 3]; 3], force: &[X; C], a
     add_moments(stiffness, &moments);
 }
 
-/// Adds the stiffness `(tr V) 1 - ½ (V + Vᵀ)` of the sum V of products of forces and arms; in the plane tr V alone.
+/// Adds the matrix `(tr V) 1 - ½ (V + Vᵀ)` to `stiffness`; in the plane tr V alone. V is the sum of `F rᵀ` over forces F with lever arms r
+/// (`moments`).
 #[inline(always)]
 fn add_moments<const C: usize, X: Packed>(stiffness: &mut [[X; 3]; 3], moments: &[[X; C]; C]) {
     let mut trace = moments[0][0];

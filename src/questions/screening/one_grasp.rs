@@ -43,11 +43,11 @@ impl<const C: usize> OneGrasp<C> {
         Ok(grasp)
     }
 
-    /// Answers a question about this grasp. `answers` has as many entries as the question has answers.
+    /// Answers a question about this grasp. A question may have several answers, for example one for each load; `answers` has one entry for each.
     pub(super) fn ask<Q: ScreeningQuestion<C>>(&self, question: &Q, answers: &mut [Q::Answer]) {
         let block = AnyGraspData::block(&self.data);
         let (ready, squeezed) = (&self.ready, &self.squeezed);
-        // The compiler removes those arrays of forces that a question does not use.
+        // Three arrays of forces suffice for every question of screening; the compiler removes those that this question does not use.
         let [mut a, mut b, mut c] = [Forces::<C, f64>::none(); 3];
         let mut slots = AnswerSlots::new(answers, [true], [0, 1], Q::answers(block.contacts));
         let prepared = PreparedBlock { vectors: Compiled, block, ready, first: 0, squeezed };

@@ -61,7 +61,7 @@ pub(super) fn to_compliances<const C: usize>(grasp: &mut AnyGraspData<C>) {
 }
 
 /// Bounds on the sums of the absolute values of the terms that add up to a contact force, for a pair whose springs are stored as compliances. The
-/// rounding error of the force is proportional to these sums.
+/// rounding error of a contact force is proportional to these sums.
 fn sizes<const C: usize>(grasp: &Block<'_, C, f64>) -> TermSizes<f64> {
     let pair = Pair::new(grasp);
     let [x, y] = [0, 1].each(|axis| grasp.points()[axis][1] - grasp.points()[axis][0]);

@@ -36,13 +36,13 @@ pub(crate) struct WhileSticking {
     /// The larger of the object's rotations under the base load and under the whole load (factor 1), rad. NaN if the position of the object is not
     /// determined, or if no rotation was computed.
     pub(crate) turn: f64,
-    /// A bound of the fraction of the resistance to rotation that the contact forces and the load take away, because their points of action turn
-    /// with the object. Below 1 the grasp does not buckle. It holds under the base load and under the whole load. NaN if it is not known, if no
-    /// contact carries a force, or if no rotation was computed.
+    /// Contact forces and the load reduce the stiffness against rotation, because their points of action turn with the object. This number is an
+    /// upper bound of the fraction that they take away. If the bound is below 1, the grasp does not buckle. The bound holds under the base load and
+    /// under the whole load. NaN if it is not known, if no contact carries a force, or if no rotation was computed.
     pub(crate) taken: f64,
 }
 
-/// A grasp surely does not buckle if forces take away at most this fraction of the resistance to rotation. At the fraction 1 it may buckle; the
+/// A grasp surely does not buckle if forces take away at most this fraction of its stiffness against rotation. At the fraction 1 it may buckle; the
 /// difference from 1 is far larger than the rounding of [`WhileSticking::taken`].
 const SURELY: f64 = 0.99;
 
@@ -73,7 +73,8 @@ impl<const C: usize> SlipAndRotation<C> {
         X::of(X::each(|lane| component(&self.pulls[(first + lane).min(last)])))
     }
 
-    /// The loads on the grasps of a block, `base + factor · direction`, with their points of action.
+    /// The loads on the grasps of a block at the load factor `factor`: `base + factor · direction` of each grasp's [`Pull`], with their points of
+    /// action.
     #[inline(always)]
     fn at_points<X: Packed>(&self, first: usize, factor: f64) -> LoadAtPoints<C, X> {
         let last = self.pulls.len() - 1;
@@ -131,7 +132,7 @@ impl<const C: usize> ScreeningQuestion<C> for SlipAndRotation<C> {
             for k in 0..Layout::<C>::COORDINATES {
                 more[k] += at_rest[k];
             }
-            // `max` ignores NaN. Adding zero times the first number makes the sum NaN if that number is NaN.
+            // `max` ignores NaN. Adding zero times `start` makes the result NaN if `start` is NaN.
             turn = start.max(prepared.turned(&more, base)) + zero * start;
             let taken_there = resistance.taken(v, block, &base.of, &self.at_points(prepared.first, 1.0));
             taken = taken_at_rest.max(taken_there) + zero * taken_at_rest;

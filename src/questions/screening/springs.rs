@@ -1,6 +1,8 @@
-//! Contact forces while all contacts stick, under loads and commands, by one of three methods. A command is the displacement that a finger would make
-//! without the object. A clearance is the gap between finger and object before the command; it is negative if they overlap. A block holds as many
-//! grasps as a SIMD vector has numbers (lanes).
+//! Contact forces while all contacts stick, under loads and commands, in one of three ways. Two contacts in the plane have a closed form ([`Pair`]).
+//! Three contacts in space may have three unknown forces along the edges of their triangle ([`Triangle`], if [`Method`] so decides). All other grasps
+//! have the motion of the object as the unknown ([`RigidBody`]). A command is the displacement that a finger would make without the object. A
+//! clearance is the gap between finger and object before the command; it is negative if they overlap. A block holds as many grasps as a SIMD vector
+//! has numbers (lanes).
 
 use super::balance::RigidBody;
 use super::block::{Block, Commanded, Layout};
@@ -19,8 +21,9 @@ pub(super) struct Cause<'a, const C: usize, X: Packed> {
     pub(super) load: [X; 6],
 }
 
-/// The data that one of three methods computes once from the geometry and springs of a block, before a load is known. The first method exists only in
-/// the plane, the second only in space. Conditions on the constant C keep the other cases from being compiled.
+/// The data that are computed once from the geometry and springs of a block, before a load is known. [`Self::Pair`] occurs only in the plane (C = 2
+/// force components at a contact), [`Self::Triangle`] only in space (C = 3). Branches that test C as a constant keep the code for `Pair` out of
+/// space, and that for `Triangle` out of the plane.
 #[derive(Debug, Clone, Copy)]
 #[allow(clippy::large_enum_variant)] // none is ever moved about alone
 pub(super) enum StickingSprings<const C: usize, X: Packed> {
@@ -33,7 +36,7 @@ pub(super) enum StickingSprings<const C: usize, X: Packed> {
 }
 
 impl<const C: usize, X: Packed> StickingSprings<C, X> {
-    /// Springs for this method with all numbers zero; [`Self::prepare`] computes them from the data of a block.
+    /// The variant for a method, with all numbers zero; [`Self::prepare`] computes them from the data of a block.
     pub(super) fn none(method: Method) -> Self {
         match method {
             Method::Edges if C == 2 => Self::Pair(Pair::none()),
@@ -42,8 +45,8 @@ impl<const C: usize, X: Packed> StickingSprings<C, X> {
         }
     }
 
-    /// The method by which contact forces are found: from forces along the edges between contacts, or from the motion of the object. Answers are
-    /// stored only for those grasps of a block that use this method.
+    /// The method by which contact forces are found: from forces along the edges between contacts, or from the motion of the object. A block is
+    /// computed with one method at a time; answers are stored only for those of its grasps that use this method.
     pub(super) fn method(&self) -> Method {
         match self {
             Self::Pair(_) | Self::Triangle(_) => Method::Edges,

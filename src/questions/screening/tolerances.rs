@@ -1,10 +1,12 @@
-//! Tolerances with which screening calls an answer unclear, or refines contact forces.
+//! Tolerances with which screening calls an answer unclear, or refines contact forces. Screening computes, for many grasps, the load factor at which
+//! the first contact stops sticking, or the least factor on the commands with which all contacts stick.
 //!
-//! All of them but the bounds of products are dimensionless. The margin of a contact is `μ F_n - |F_t|`; it is positive while the contact sticks. If
-//! more than a few refinements of the forces would be needed, the verdict is unclear.
+//! All of them but the bounds of products are dimensionless. The margin of a contact is `μ F_n - |F_t|`; it is positive while the contact sticks. F'
+//! is the rate of a contact force F, per unit of the load factor, or of the sought factor on the commands. If more than a few refinements of the
+//! forces would be needed, the answer is unclear.
 
-/// A contact may be on the edge of its friction cone if its margin at load factor zero is below this fraction of the forces: its contact force, and
-/// the spring forces whose difference that is.
+/// A contact may be on the edge of its friction cone if its margin at load factor zero is below this fraction of two forces together. The first is
+/// its contact force. The second is the size of the spring forces of which the contact force is the difference.
 ///
 /// If this were smaller, rounding would determine whether the contact sticks. If larger, more grasps would be unclear.
 pub(super) const ON_THE_EDGE: f64 = 1e-12;
@@ -15,21 +17,23 @@ pub(super) const ON_THE_EDGE: f64 = 1e-12;
 /// would be called unclear.
 pub(super) const WORKS_ON_FREE_MOTION: f64 = 1e-6;
 
-/// Contact forces whose residual exceeds this fraction of the load and forces are refined. Rounding alone leaves about 1e-15.
+/// Contact forces are refined if the load that they leave unbalanced exceeds this fraction of all forces and loads. Rounding alone leaves about
+/// 1e-15.
 ///
 /// If this were smaller, refinement would gain nothing. If larger, the force of a soft contact would lose digits if another contact is stiff.
 pub(super) const IMPROVABLE: f64 = 1e-14;
 
-/// The rate at which a margin decreases with the load must be at least this multiple of the rounding of the rate.
+/// The rate at which a margin decreases, per unit of the sought factor on load or commands, must be at least this multiple of the rounding error of
+/// the rate.
 ///
-/// A margin that decreases more slowly vanishes at a load factor of fewer than six digits, and the verdict is unclear. If this number were larger,
-/// more grasps would be unclear.
+/// If a margin decreases more slowly, fewer than six digits of the factor at which it vanishes are right, and the answer is unclear. If this number
+/// were larger, more grasps would be unclear.
 pub(super) const SHARP_MARGIN: f64 = 1e6;
 
-/// Lower bound of `|F| |F'|`, scaled contact force times its rate, for margins in space. If the product is smaller, squares underflow and lose
-/// digits, and the answer is unclear.
+/// Least accepted product, N², of the size of a contact force and the size of its rate, for contacts in space: `(μ|F_n| + |F_t|) (μ|F_n'| + |F_t'|)`.
+/// If the product is smaller, squares of forces underflow and lose digits, and the answer is unclear.
 pub(super) const LEAST_PRODUCT: f64 = 1e-140;
 
-/// Upper bound of `|F| |F'|`, scaled contact force times its rate, for margins in space. If the product is larger, squares overflow, and the answer
-/// is unclear.
+/// Largest accepted product, N², of the size of a contact force and the size of its rate, for contacts in space: `(μ|F_n| + |F_t|) (μ|F_n'| +
+/// |F_t'|)`. If the product is larger, squares of forces overflow, and the answer is unclear.
 pub(super) const MOST_PRODUCT: f64 = 1e150;

@@ -14,18 +14,19 @@ pub(super) const SAME_CYCLE: f64 = 1e-11;
 /// If smaller, more cycles would be followed before the limit is known. If larger, events before the limit is reached would be missed.
 pub(super) const NEAR_THE_LIMIT: f64 = 1e-6;
 
-/// The value of [`NEAR_THE_LIMIT`] if directions of slip turn along load paths, which then have step errors.
+/// Takes the place of [`NEAR_THE_LIMIT`] if directions of slip turn along load paths. Such paths are integrated in steps, which have errors.
 pub(super) const NEAR_THE_LIMIT_ON_ARCS: f64 = 1e-5;
 
 /// In a cycle with jumps (motions under constant load) a contact is reported as sliding only if its slip exceeds this fraction of the largest contact
 /// displacement in one jump.
 ///
-/// A jump starts a little beyond the loss of equilibrium. Its steps end a little before the object rests. This adds slips of some 1e-6 of the motion
-/// in the jump. If the fraction were smaller, these slips would be reported as sliding to and fro. If larger, true small slips in a cycle with large
-/// jumps would not be reported. A walk (the same motion in every cycle) is recognised by slips of any size.
+/// A jump starts a little beyond the loss of equilibrium, and its steps end a little before the object rests. Both inaccuracies together add slips of
+/// some 1e-6 of the motion in the jump. If the fraction were smaller, these slips would be reported as sliding to and fro. If larger, true small
+/// slips in a cycle with large jumps would not be reported. A walk (the same motion in every cycle) is recognised by slips of any size.
 pub(super) const SLIP_OF_JUMPS: f64 = 1e-5;
 
-/// If forces and gaps change by at most this relative number per cycle, the answer calls the forces constant. The number is larger than step errors.
+/// If forces and gaps change by at most this relative number per cycle, the answer calls the forces constant. The number exceeds the error that is
+/// allowed for one integration step of a load path, by default 1e-9.
 ///
 /// If smaller, rounding is reported as a change. If larger, small changes that add up over the cycles are not reported.
 pub(super) const CONSTANT_FORCES: f64 = 1e-8;

@@ -119,7 +119,7 @@ impl LeastForce {
         let quarters = |quarter: u8| begin + f64::from(quarter) * FRAC_PI_2;
         let mut size = cut(edges.rows(&|_| (0..4).map(quarters).list()));
         // Each round adds planes, which reduces the least force; the force converges quadratically. After this many rounds only rounding could still
-        // change it.
+        // change the force.
         for _ in 0..200 {
             // Consider the gradient, with respect to the force at the point, of the margin on the facet at angle φ of the round cone. It is a + b cos
             // φ + c sin φ, with constant vectors a, b and c. If this gradient vanishes at four angles, it vanishes at all angles, and no force makes

@@ -20,7 +20,7 @@ pub(super) enum UncertainDatum {
 }
 
 /// Returns the grasp in which each of the uncertain `data` is in error by its entry of `z`, in standard deviations. An error if a datum leaves its
-/// allowed range, or the grasp cannot hold the tension of a link.
+/// allowed range, or if the grasp cannot hold the given tension of a link (a cable or spring between bodies).
 pub(super) fn with_errors(of: &Engine, data: &[UncertainDatum], z: &[f64]) -> Result<Engine, Error> {
     let mut errors = vec![ContactErrors::default(); of.wholes().len()];
     for (datum, z) in data.iter().zip(z) {

@@ -10,9 +10,10 @@
 //! Φ(-β(θ₀)) + ∫ φ(β) E[(X' - β')₊] dθ,      X' normal, mean 0, deviation |u'|
 //! ```
 //!
-//! This follows from the mean number of zero crossings of the margin over θ (Rice, Mathematical analysis of random noise, 1944). Here φ is the normal
-//! density, Φ its distribution, and a prime the derivative with respect to θ. The bound is nearly reached if failures are rare. θ₀ is a direction in
-//! which a failure is very unlikely.
+//! This follows from the mean number of zero crossings of the margin over θ (Rice, Mathematical analysis of random noise, 1944). X(θ) is the random
+//! decrease of the margin due to the errors of the data, in standard deviations; the facet fails where X exceeds β. φ is the normal density and Φ its
+//! distribution function. E is the expectation, x₊ the larger of x and 0, and a prime the derivative with respect to θ. The bound is nearly reached
+//! if failures are rare. θ₀ is a direction in which a failure is very unlikely.
 
 use core::f64::consts::{PI, TAU};
 

@@ -17,8 +17,8 @@ pub struct Progress {
 }
 
 /// The results of `f` for all items, in the order of the items. After every result `watch` is called on the thread that computed it; the number of
-/// results in its argument takes every value from 1 on once. If `watch` breaks, items that were not begun have the result `None`. Which items have no
-/// result depends on the threads; the results of all other items do not.
+/// results in its argument takes every value from 1 on once. If `watch` returns `Break`, items that were not begun have the result `None`. Which
+/// items have no result depends on the threads; the results of all other items do not.
 ///
 /// ```
 /// use std::ops::ControlFlow;

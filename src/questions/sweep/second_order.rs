@@ -2,9 +2,9 @@
 //!
 //! The point of failure z is the smallest vector of errors of the data, in standard deviations, at which the margin m of the facet vanishes; the
 //! reliability β is its length. The normal distribution has the density φ and the distribution function Φ. Near z the margin is expanded to second
-//! order. Let g be its gradient, H its second derivative with respect to the data, and n = g / |g|. The failure probability is `Φ(-β)` times a
-//! factor, which is below 1 if the margin curves upwards across n (Hohenbichler and Rackwitz, Improvement of second-order reliability estimates by
-//! importance sampling, 1988)
+//! order. Let g be its gradient, H its second derivative with respect to the data, and n = g / |g|. The complement of n is the space of all vectors
+//! perpendicular to n. The failure probability is `Φ(-β)` times a factor, which is below 1 if the margin curves upwards across n (Hohenbichler and
+//! Rackwitz, Improvement of second-order reliability estimates by importance sampling, 1988)
 //!
 //! ```text
 //! det(A on the complement of n)^(-1/2),      A = 1 + ψ H / |g|,      ψ = φ(β) / Φ(-β)
@@ -70,9 +70,9 @@ mod tests {
     use super::super::margin::{Effect, FacetMargin, UncertainForce};
     use crate::numerics::{normal_density, normal_tail};
 
-    /// The failure probability of a facet whose margin is F_n/2 - F_t, then its value to first order. `changes` are polynomials of the change of the
-    /// force in the errors of the data, in units of three standard deviations. `friction` is the standard deviation of the logarithm of the
-    /// coefficient of friction.
+    /// The failure probability of a facet whose margin is F_n/2 - F_t, then the failure probability to first order. For each datum, `changes` has the
+    /// change of the contact force as a polynomial in the error of this datum. The unit of the error is three standard deviations. `friction` is the
+    /// standard deviation of the logarithm of the coefficient of friction.
     fn fails(force: [f64; 3], changes: &[Effect], friction: f64) -> (f64, f64) {
         let here = UncertainForce { force: SVector::from(force), changes, joint: &[], sigmas: 3.0, friction };
         let mut margin = FacetMargin::default();

@@ -24,7 +24,8 @@ use crate::numerics::{Each, IntoList, dot, largest, normal_tail};
 use crate::prelude::*;
 
 /// Number of rounds in which two quantities that depend on each other are computed: the smallest errors with which a margin vanishes, and the
-/// interactions of the errors of data at this point. The first round begins without interactions; the second one corrects its errors for them.
+/// interactions of the errors of data at this point. The first round finds the smallest errors without interactions, and computes the interactions
+/// there. The second round finds the smallest errors with these interactions.
 const ROUNDS: usize = 2;
 
 /// For each contact or drive and each of its facets, the interaction of the errors of all data.
@@ -231,9 +232,9 @@ fn reliability(fails: f64) -> f64 {
     (-2.0 * fails.clamp(1e-300, 1.0).ln()).sqrt()
 }
 
-/// The root of an increasing function that is negative at zero, to the relative accuracy `precise`: the lower end of the last bracket. It is infinite
-/// if the function is still negative beyond `end`. Secant steps start from a guess of the root and from the derivative `slope` (NaN if unknown), and
-/// stay within the bracket.
+/// The root of an increasing function that is negative at zero, to the relative accuracy `precise`. The returned number is the lower end of the last
+/// bracket of the root, or infinite if the function is still negative beyond `end`. Secant steps start from a guess of the root and from the
+/// derivative `slope` (NaN if unknown), and stay within the bracket.
 fn root(f: &dyn Fn(f64) -> f64, (guess, mut slope): (f64, f64), end: f64, precise: f64) -> f64 {
     let (mut low, mut high) = (0.0, f64::INFINITY);
     let (mut at, mut last) = (guess, None);

@@ -19,7 +19,7 @@ impl SteppedState {
             problem.sites.iter().zip(&problem.offsets).map(|(site, offset)| site.span(offset, &self.twist));
         let sizes = [self.largest_force().max(problem.wrench.norm()), spans.fold(0.0, f64::max)];
         // The slip so far is already subtracted from the offsets (command minus clearance) of the contact springs. A sliding contact therefore keeps
-        // its direction of sliding, but its slip in this state, proportional to λ, is zero.
+        // its direction of sliding, but its slip in this state is zero. This slip is proportional to `lambda`.
         let standing = |state: &Mode<Slide>| match state {
             Mode::Round(slide) => Mode::Round(Slide { lambda: 0.0, ..*slide }),
             other => *other,

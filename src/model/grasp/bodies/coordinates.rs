@@ -95,8 +95,8 @@ impl Engine {
         Some(self.with_bodies(bodies.growing_together(loads)))
     }
 
-    /// A copy of this grasp in which the loads `others` on named bodies grow in proportion to the load of a question. They act as given if that load
-    /// is `one`. See [`Grasp::growing_together`](crate::ask::Grasp::growing_together).
+    /// A copy of this grasp in which the loads `others` on named bodies grow in proportion to the load of a question. When the load of the question
+    /// is `one`, they have the sizes given in `others`. See [`Grasp::growing_together`](crate::ask::Grasp::growing_together).
     pub(crate) fn growing_together(
         &self,
         one: &Wrench<3>,
