@@ -311,6 +311,11 @@ class Shaken(Sentence):
         return [part["label"] for part in self._tree.get("leaks", [])]
 
     @property
+    def jumps(self) -> bool:
+        """Whether the object jumps in a cycle until a contact catches it. Its momentum is not counted."""
+        return bool(self._tree.get("jumps", False))
+
+    @property
     def cycles(self) -> int:
         """Number of cycles until the outcome is reached."""
         return int(self._tree["cycles"])
@@ -397,6 +402,11 @@ class Needed(Sentence):
         """The amount that suffices with reduced friction and squeeze, or with larger loads; None unless that outcome is a bound."""
         found = (self._tree.get("safe") or {}).get("bound")
         return None if found is None else number(found["sufficient"])
+
+    @property
+    def jumps(self) -> bool:
+        """Whether the object jumps with this amount while the load is put on, until a contact catches it. Its momentum is not counted."""
+        return bool(self._tree.get("jumps", False))
 
     @property
     def presses(self) -> tuple[float, ...]:
@@ -535,6 +545,11 @@ class Improved(Answer):
     def residual(self) -> float | None:
         """Residual of first-order optimality, relative to the first slip or to the greatest force at rest; None without multipliers."""
         return optional_number(self._tree.get("residual"))
+
+    @property
+    def at_their_limit(self) -> list[str]:
+        """Names of the contacts that use all their friction at rest: with a little less, or with rounded places, the grasp is lost before any load."""
+        return [part["label"] for part in self._tree.get("at_their_limit", [])]
 
     def _placed(self, name: str) -> Array:
         return array([placed[name] for placed in self._tree["contacts"]])
