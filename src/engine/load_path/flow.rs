@@ -10,9 +10,9 @@
 //!
 //! T is the tangent stiffness of the object, and b the rate of its load (and of the forces of commands) per unit of λ, so that T q' = b λ'. Each
 //! contact has the tangent stiffness C, the rate a' per unit of λ of the offset of its springs (commanded displacement minus clearance and slip), and
-//! the grasp map G. The rates q', λ' and F_t' are per unit of arclength. Thus a fold, where the load factor has a maximum, is passed like any other
-//! point. The balance of forces is linear in all variables, and steps preserve it. The integration error of a step moves friction forces off the
-//! surfaces of their cones. Newton's method transverse to the path puts them back.
+//! the grasp map G; the index t means tangential components. The rates q', λ' and F_t' are per unit of arclength. Thus a fold, where the load factor
+//! has a maximum, is passed like any other point. The balance of forces is linear in all variables, and steps preserve it. The integration error of a
+//! step moves friction forces off the surfaces of their cones. Newton's method transverse to the path puts them back.
 
 use nalgebra::SVector;
 
@@ -276,8 +276,8 @@ impl<'s, 'g> Flow<'s, 'g> {
             out.copy_from_slice(&force.as_slice()[1..]);
             let site = &self.arc.sites()[i];
             let dissipated = friction.dot(&site.springs.slip(&stretch, &force));
-            // The power of friction (friction force times slip rate) may be negative by rounding, up to the friction force times 1e-13 of the
-            // displacement rate of the contact.
+            // The power of friction (friction force times slip rate) may be negative by rounding. The allowed amount is 1e-13 times the friction
+            // force times the displacement rate of the contact.
             let rounding = 1e-13
                 * friction.norm()
                 * site.span(&(segment.change[i] * direction.factor), &direction.twist);
@@ -306,8 +306,8 @@ impl<'s, 'g> Flow<'s, 'g> {
         })
     }
 
-    /// Work of the fingers per unit of the load factor: the sum of F·a' over the contacts, with the contact force F and the rate a' of the
-    /// offset of the contact's springs. `y` are the changes of all integrated variables since the start of the step.
+    /// Work that the commanded fingers do, per unit of the load factor: the sum of F·a' over the contacts. F is the contact force, and a' the rate of
+    /// the offset of the contact's springs. `y` are the changes of all integrated variables since the start of the step.
     fn power_of_fingers(&self, y: &[f64]) -> f64 {
         let [load, _] = self.places();
         let (moved, further) = (self.twist_change(y), y[load]);

@@ -146,7 +146,8 @@ impl LocalLaw<'_> {
         let rounding = ROUNDED_SUM * (self.cone().round_weight() * wave.size).powi(2);
         match Start::of(&difference, rounding, rounding) {
             Start::Above { roots } => difference.first_fall(most, rounding, roots),
-            // The margin is not positive just after the start, as near the apex. The caller then uses the angle at which the normal force vanishes.
+            // The difference (μF_n)² - |F_t|² is not positive just after the start, as near the apex of the cone. The caller then uses the angle at
+            // which the normal force vanishes.
             Start::Falls | Start::Stays => None,
         }
     }

@@ -7,9 +7,9 @@
 /// If smaller, rounding makes a semidefinite matrix indefinite; if larger, an indefinite matrix is accepted.
 pub(super) const NEGATIVE_REMAINDER: f64 = 1e-10;
 
-/// The sentence for a motion begins with the translation if the displacement that rotation gives to the points of the object is at most this fraction
-/// of their mean displacement. Otherwise it begins with the rotation. In a sentence for several bodies, a body is named only if it moves faster than
-/// this fraction of the speed of the fastest body.
+/// The sentence for a motion begins with the translation if the rotation contributes little. Little means: the displacements of the points of the
+/// object due to rotation are at most this fraction of their mean displacement. Otherwise it begins with the rotation. In a sentence for several
+/// bodies, a body is named only if it moves faster than this fraction of the speed of the fastest body.
 ///
 /// If smaller, sentences describe motions that are hardly visible; if larger, they omit bodies that move.
 pub(super) const SEEN_MOTION: f64 = 0.05;
