@@ -86,7 +86,7 @@ pub(super) struct Flow<'s, 'g> {
     sizes: [f64; 2],
 }
 
-/// The load factor `to` and the state at the end of a step, with the energies of this step.
+/// The load factor `to` and the state at the end of a step, with the works that fingers, friction and load do in this step.
 #[derive(Debug, Clone)]
 pub(super) struct FlowStep {
     pub(super) to: f64,
@@ -135,7 +135,8 @@ impl<'s, 'g> Flow<'s, 'g> {
         // velocity along them.
         let pushed = |v: &Vector| {
             let rate = v.dot(&point.twist_rate);
-            // A velocity of the object along a free motion is rounding below this fraction of the norm of the twist rate.
+            // A velocity of the object along a free motion (a motion that no spring resists) is taken as rounding below the fraction `NEGLIGIBLE` of
+            // the norm of the twist rate.
             if rate.abs() > NEGLIGIBLE * point.twist_rate.norm() { rate / point.factor_rate } else { 0.0 }
         };
         let free_motions = point.free_motions.iter().map(|v| (v, pushed(v)));
@@ -292,8 +293,8 @@ impl<'s, 'g> Flow<'s, 'g> {
         turnover += fingers.abs() + worked.map(f64::abs).sum();
         out[works..].copy_from_slice(&[fingers, heat, worked.sum(), turnover]);
         let is_straight = matches!(segment.trajectory, Trajectory::Straight { .. });
-        // A decrease of the load factor by less than this fraction of the arclength does not count. Near a maximum of the load factor, the load
-        // factor then changes by less than the square of this fraction of a leg.
+        // A decrease of the load factor by less than 1e-8 per unit of arclength does not count. So near to a maximum of the load factor, the load
+        // factor differs from the maximum by less than 1e-16 of a leg.
         Some(backwards > 0.0 || is_straight && direction.factor < -1e-8)
     }
 

@@ -90,8 +90,9 @@ impl RoundPieces {
             if sharp && !left {
                 return None;
             }
-            // A new factorisation is needed if contact states have changed, or if the solution is not near yet. Near the solution the present
-            // factorisation is good enough: each step reduces the error by a constant factor.
+            // A new factorisation is needed if contact states have changed, or if the last step changed forces or twist by more than 1e-8 of
+            // themselves (`near` is false). Near the solution the present factorisation is good enough: each step reduces the error by a constant
+            // factor.
             if left || !near {
                 linear_problem = LinearProblem::new(problem, &self.states);
             }

@@ -124,7 +124,8 @@ impl LocalLaw<'_> {
             FirstZero::At(angle) => self.polished(wave, angle),
             FirstZero::Touches(angle) => return apex.or(Some(TurningExit::Touches(angle))),
         };
-        // At the apex the exit from the round cone coincides with the zero of the normal force.
+        // If the force leaves the cone through its apex, normal force and friction force vanish together. The zero of the normal force (`apex`) is
+        // then the exit.
         if let Some(TurningExit::Leaves(through)) = apex
             && (through.step <= step || tangential(&wave.of.at(through.step)).norm() <= slack)
         {

@@ -359,8 +359,8 @@ impl BracketEnd {
 /// The amount at which a margin vanishes, extrapolated from two or three amounts, each with its margin, the nearest amount first. `None` unless the
 /// margin decreases towards zero.
 ///
-/// The amount is a linear or quadratic function of the margin. Near a fold, where an equilibrium ends, the margin changes like a square root: the
-/// function then has its extreme value at the fold, before the margin vanishes.
+/// The amount is a linear or quadratic function of the margin. Near a fold, where an equilibrium ends, the margin changes like a square root of the
+/// distance. The amount, as a function of the margin, then has its extreme value at the fold, before the margin vanishes; this amount is returned.
 pub(super) fn where_it_vanishes(points: [Option<(f64, f64)>; 3]) -> Option<f64> {
     let [(x0, m0), (x1, m1)] = [points[0]?, points[1]?];
     let falls = |now: f64, then: f64| now * then > 0.0 && now.abs() < then.abs();

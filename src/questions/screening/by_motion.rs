@@ -123,8 +123,8 @@ fn let_go<const C: usize, X: Packed>(
         if time == most_times || improvable.is_all(0.0) {
             break;
         }
-        // For grasps whose relative imbalance of forces is at most `IMPROVABLE`, the residual is set to zero. Thus their answers do not depend on the
-        // grasps in neighbouring lanes.
+        // Refinement goes on until no lane can be improved. For grasps whose relative imbalance of forces is at most `IMPROVABLE` already, the
+        // residual is set to zero. Thus the number of refinements that grasps in other lanes need does not change their answers.
         for entry in &mut left {
             *entry = improvable.above(zero, *entry, zero);
         }
