@@ -190,7 +190,7 @@ fn newton(scene: &ElasticTrial<'_, '_>, log: &mut SearchLog) -> Attempt {
 
 /// The equilibrium to which the relaxation leads. The relaxation is an artificial viscous motion of the object from the elastic trial
 /// (`object/relaxing`). Newton's method starts from points of this motion. If its result is far from its start, the next point is tried, and the
-/// distant equilibrium is returned only if no point leads to a near one. `None` if Newton's method finds no equilibrium.
+/// distant equilibrium is returned only if no point leads to an equilibrium near that point. `None` if Newton's method finds no equilibrium.
 fn where_it_relaxes_to(scene: &ElasticTrial<'_, '_>) -> Option<SearchSolution> {
     let mut relaxation = SpringDashpotRelaxation::from_stuck(scene.problem, &scene.state.twist)?;
     let mut another = None;

@@ -390,8 +390,8 @@ fn signs_differ(sides: &[BracketEnd; 2], which: usize) -> Option<[f64; 2]> {
 /// bound than necessary.
 const APART_WHERE_HARD: [f64; 3] = [1e-4, 1e-3, 1e-1];
 
-/// The width at which a bracket is narrow enough while full trials still find weaker directions of a force, in which less of it is carried. If
-/// narrower, trials are spent on directions that do not change the answer; if wider, the width shows in the answer.
+/// The width at which a bracket is narrow enough while full trials still find weaker directions of a force (directions in which less of the force is
+/// carried). If narrower, trials are spent on directions that do not change the answer; if wider, the width shows in the answer.
 const WHERE_DIRECTIONS_ARE_FOUND: WidthSchedule = &[(0, AT_A_JUMP)];
 
 /// Relative distances from the bound at which full trials are made in the plane, and in space if quick trials next to the bound are decided. The
