@@ -1,8 +1,9 @@
 //! Tolerances of a grasp, and of the words for its motions.
 
 /// Cholesky factorisation of a stiffness or compliance matrix reduces its entries to remainders. A negative remainder of a diagonal entry counts as a
-/// rounding error if its magnitude is at most this fraction of the original entry. So do remainders of offdiagonal entries in a block that must
-/// vanish.
+/// rounding error if its magnitude is at most this fraction of the original entry. Where only zero diagonal entries are left, the offdiagonal entries
+/// between them must be zero, too, in a semidefinite matrix. Their remainders count as rounding errors up to this fraction of the geometric mean of
+/// the two original diagonal entries.
 ///
 /// If smaller, rounding makes a semidefinite matrix indefinite; if larger, an indefinite matrix is accepted.
 pub(super) const NEGATIVE_REMAINDER: f64 = 1e-10;

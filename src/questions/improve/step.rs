@@ -7,10 +7,10 @@
 //! min  t + ½ dᵀB d     such that     t + τ_k + g_k·d >= top,     h_b·d + left_b >= 0,     low <= d <= high
 //! ```
 //!
-//! `top` is a constant above every value that the least of the events can have in the box, so that t is positive and a minimum exists. By the
-//! optimality conditions, the gradients of events and constraints are weighted by their multipliers. Their sum is B d plus the multipliers of the box
-//! (of upper ends minus lower ends). At an optimum of the search the step d is zero. The sum then vanishes in all variables that are not at an end of
-//! their range.
+//! `top` is a constant above every value that the least of the events can have in the box, so that t is positive and a minimum exists. Let each
+//! gradient of an event or a constraint be weighted by its multiplier. By the optimality conditions the sum of the weighted gradients is B d plus the
+//! multipliers of the box (of upper ends minus lower ends). At an optimum of the search the step d is zero. The sum then vanishes in all variables
+//! that are not at an end of their range.
 
 use nalgebra::{DMatrix, DVector};
 

@@ -1,7 +1,7 @@
 //! The interaction of errors of several data in their effect on a contact force. It is the change of the force if all data are in error at once, less
 //! the sum of the changes due to each datum alone. It is computed for each facet (plane side) of a friction cone, at the point of failure of the
-//! facet. At these smallest errors the force reaches the facet: its distance from the facet, the margin, vanishes (see [`margin`](super::margin)). A
-//! drive is a motor, clutch or tendon of a joint.
+//! facet. This point is the smallest set of errors with which the force reaches the facet, so that its margin (its distance from the facet) vanishes
+//! (see [`margin`](super::margin)). A drive is a motor, clutch or tendon of a joint.
 
 use nalgebra::{SMatrix, SVector};
 
