@@ -8,16 +8,17 @@
 //! S = A_TT − A_TN A_NTᵀ / A_NN,     c = b_T − A_TN b_N / A_NN.
 //! ```
 //!
-//! Slip opposes friction, u_T = −κ r_T with κ ≥ 0, so r_T(κ) = −(S + κ 1)⁻¹ c. The contact sticks if ‖r_T‖ ≤ μ r_N at κ = 0. Otherwise some κ puts
-//! the force on the edge of the cone: as κ increases to infinity, r_T vanishes and r_N tends to −b_N / A_NN > 0, a force inside the cone.
+//! Slip opposes friction, u_T = −κ r_T with κ ≥ 0, so r_T(κ) = −(S + κ 1)⁻¹ c. The contact sticks if ‖r_T‖ ≤ μ r_N at κ = 0. Otherwise the force is
+//! outside the cone at κ = 0. As κ increases to infinity, r_T vanishes and r_N tends to −b_N / A_NN > 0, a force inside the cone. For some κ between,
+//! the force is on the edge of the cone.
 
 use super::blocks::ContactBlock;
 use super::law::tangent;
 use crate::numerics::regula_falsi;
 use nalgebra::SVector;
 
-/// The force of a contact whose diagonal block of the matrix W is `a`, with friction `mu`; `b` is its velocity without its own force. `None` if
-/// the block is not definite enough for a force to stop the approach, or if numbers overflow.
+/// The force of a contact whose diagonal block of the matrix W is `a`, with the coefficient of friction `mu`; `b` is the velocity of the contact
+/// without its own force. `None` if the block is not definite enough for a force to stop the approach, or if numbers overflow.
 pub(super) fn answer<const C: usize>(
     a: &ContactBlock<C>,
     b: &SVector<f64, C>,

@@ -22,8 +22,8 @@ pub struct AllSolutions {
     ///
     /// A point that belongs to several bases is listed once, with [`Solution::degenerate`] set. [`Solution::pivots`] is 0.
     pub solutions: Vec<Solution>,
-    /// The singular bases with a solution in their piece { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 }, where α is the set of i with z_i basic and ᾱ
-    /// its complement. Such a piece may be a whole face of solutions; only one point of the piece is among `solutions`.
+    /// The singular bases with a solution in their piece { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 }, with z = 0 outside α. Here α is the set of i
+    /// with z_i basic, and ᾱ its complement. Such a piece may be a whole face of solutions; only one point of the piece is among `solutions`.
     pub singular: Vec<Basis>,
 }
 

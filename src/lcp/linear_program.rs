@@ -1,7 +1,8 @@
 //! The least violation of linear constraints, by linear programming. If the least violation is positive, the dual solution proves infeasibility.
 //!
-//! If Lemke's path ends in a ray that proves nothing, the solver tries the program min { t : M z + q + t 1 ≥ 0, z, t ≥ 0 }, where 1 is the vector of
-//! ones. If the minimum of t is positive, no z ≥ 0 satisfies M z + q ≥ 0, and the dual solution is a Farkas vector.
+//! If Lemke's path ends in a ray that proves nothing, the solver tries the linear program min { t : M z + q + t 1 ≥ 0, z, t ≥ 0 } with the vector of
+//! ones 1. The number t is the violation. If the minimum of t is positive, no z ≥ 0 satisfies M z + q ≥ 0, and the dual solution is a Farkas vector.
+//! It satisfies Mᵀy ≤ 0; a margin δ > 0 tightens this constraint to Mᵀy ≤ −δ 1, so that rounding does not break it.
 
 use super::farkas::cleaned;
 use super::outcome::{Certificate, Outcome, Unsolved};
@@ -12,8 +13,8 @@ use super::settings::Settings;
 use crate::numerics::{IntoList, matrix_of, vector_of};
 use nalgebra::{DMatrix, DVector};
 
-/// A proof that M z + q ≥ 0 and z ≥ 0 contradict each other, exactly or up to rounding. It comes from a single row, or from the dual solution of the
-/// linear program. `None` if no proof is found.
+/// A proof that M z + q ≥ 0 and z ≥ 0 contradict each other, exactly or up to rounding. The proof is a single row of M z + q that is negative for
+/// every z ≥ 0, or else the dual solution of the linear program. `None` if no proof is found.
 pub(super) fn proof(lcp: &Lcp, scaling: &Scaling, settings: &Settings) -> Option<Unsolved> {
     let n = lcp.len();
     if let Some(row) = (0..n).find(|row| lcp.has_certain_sign(*row, 1.0, 0..n)) {
@@ -21,8 +22,9 @@ pub(super) fn proof(lcp: &Lcp, scaling: &Scaling, settings: &Settings) -> Option
         return Some(Outcome::Infeasible(Certificate { y, pivots: 0 }));
     }
     let (a, b) = scaling.balanced(&lcp.m, &lcp.q);
-    // For large problems only one program is solved, since each further margin δ costs one more Lemke path of a problem of 2 n + 1 rows. If
-    // rounding invalidates the proof, the outcome is nearly infeasible. Data of large problems usually contain rounding errors themselves.
+    // For large problems only one program is solved, since each further margin δ costs one more Lemke path of a problem of 2 n + 1 rows. If rounding
+    // invalidates the proof, the outcome is `NearlyInfeasible`. That is no loss, since data of large problems usually contain rounding errors
+    // themselves.
     let margins = if n <= 64 { &MARGINS[..] } else { &MARGINS[..1] };
     let mut nearly = None;
     for y in contradictions(&a, &b, margins, settings) {
@@ -52,8 +54,8 @@ fn contradictions<'a>(
 
 impl Lcp {
     /// Candidates for a proof by Farkas' lemma that A x + b ≥ 0 and x ≥ 0 contradict each other. The entries of A must be of the order of 1. For each
-    /// margin δ the dual solution y with Aᵀy ≤ −δ 1 is returned in several forms ([`cleaned`]): as computed, without entries that are only noise, and
-    /// as integer vectors with nearly the same ratios.
+    /// margin δ the dual solution y with Aᵀy ≤ −δ 1 is returned in several forms ([`cleaned`]): as computed; with entries that are only noise set to
+    /// zero; and as integer vectors with nearly the same ratios.
     pub(crate) fn contradictions<'a>(
         a: &'a DMatrix<f64>,
         b: &'a DVector<f64>,
@@ -67,9 +69,9 @@ impl Lcp {
 /// some of the constraints, and rounding may move it outside. With a margin it stays inside, if the tightened constraints have a solution.
 pub(super) const MARGINS: [f64; 4] = [0.0, 1e-3, 1e-6, 1e-9];
 
-/// The least violation of the conditions { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 } for the basis α, the set of the i with z_i basic. The nonzero
-/// entries of M must lie near 1. `None` if the program cannot be solved. In its solution x holds the z_α. The dual y has one entry per row of M, of
-/// either sign in the rows α, where (M z + q)_i = 0.
+/// The least violation of the conditions { z_α ≥ 0, (M z + q)_α = 0, (M z + q)_ᾱ ≥ 0 }. The set α has the i with z_i basic, its complement ᾱ the
+/// other i; z_ᾱ is zero. The nonzero entries of M must lie near 1. `None` if the program cannot be solved. The solution x of the program holds the
+/// z_α. Its dual solution y has one entry per row of M; in the rows α, where (M z + q)_i = 0, an entry may have either sign.
 pub(super) fn of_piece(
     (m, q): (&DMatrix<f64>, &DVector<f64>),
     alpha: &[usize],

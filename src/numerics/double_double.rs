@@ -37,7 +37,7 @@ impl DoubleDouble {
         self.add(product);
     }
 
-    /// Adds the product of a + `rest` and b to this sum; `rest` is the rounding error of a.
+    /// Adds the product (a + `rest`) b to this sum; `rest` is the rounding error of a, and b is a double-double number, too.
     #[inline(always)]
     pub(crate) fn add_product_of_twice(&mut self, (a, rest): (f64, f64), b: Self) {
         self.low += a * b.low + rest * b.high;

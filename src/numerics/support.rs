@@ -50,7 +50,7 @@ pub(crate) fn simplex(size: Size, support: &SupportFunction<'_>) -> Result<Vec<V
     if flat.is_empty() { Ok(vertices) } else { Err(flat) }
 }
 
-/// The mean of some points; it is an interior point if they do not lie in one plane.
+/// The mean of some points; it is an interior point of the set if they do not lie in one hyperplane.
 pub(crate) fn middle(vertices: &[Vertex]) -> Vector {
     let mut sum = Vector::zeros();
     for vertex in vertices {

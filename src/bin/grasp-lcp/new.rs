@@ -68,7 +68,7 @@ impl Template {
     }
 }
 
-/// Refuses options of `new grip` on the command line of another kind.
+/// Refuses options that belong to `new grip` if the command line asks for another template.
 #[cfg(feature = "mesh")]
 pub(crate) fn refuse_options_of_grip() -> Result<(), Failure> {
     let mut command = Arguments::command();
@@ -89,5 +89,5 @@ pub(crate) fn refuse_options_of_grip() -> Result<(), Failure> {
     Ok(())
 }
 
-/// The meaning of the fields in these scenes, for the help and the manual: JSON has no comments.
+/// The meaning of the fields in the example scenes, for the help and the manual: the scenes are JSON, which has no comments.
 pub(crate) const FIELDS_HELP: &str = include_str!("fields_of_templates.txt");

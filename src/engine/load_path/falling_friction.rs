@@ -66,9 +66,9 @@ impl<'g> PiecewiseFollower<'g> {
         }
     }
 
-    /// Whether some contact in `reached` (the contacts whose present states end here) has kinetic friction and no contact force left, up to a
-    /// fraction 1e-9 of the largest force on the path. As the force of such a contact decreases to zero, it alternately sticks and slips infinitely
-    /// often, which steps cannot follow.
+    /// `reached` are the contacts whose present states end here. Returns whether one of them has kinetic friction and no contact force left, up to
+    /// the fraction 1e-9 of the largest force on the path so far. As the force of such a contact decreases to zero, it alternately sticks and slips
+    /// infinitely often, which steps cannot follow.
     pub(super) fn runs_out(&self, reached: &ExitsReached) -> bool {
         let largest = self.segment.largest;
         let is_weaker = |i: usize| self.segment.problem.sites[i].kinetic.is_some();
@@ -76,9 +76,9 @@ impl<'g> PiecewiseFollower<'g> {
         reached.iter().any(|(i, _)| is_weaker(*i) && self.node.at.forces[*i].norm() <= NEGLIGIBLE * largest)
     }
 
-    /// Puts contacts in `reached` (the contacts whose present states end here) at the apex of their cones, as if they had no force, if their force is
-    /// at most the fraction `NEGLIGIBLE` of the largest force on the path so far. The neglected force, divided by the largest force, is added to the
-    /// step error.
+    /// `reached` are the contacts whose present states end here. Their forces are small if they are at most the fraction `NEGLIGIBLE` of the largest
+    /// force on the path so far. Contacts with small forces are put at the apex of their cones, as if they had no force. Each neglected force,
+    /// divided by the largest force, is added to the step error.
     pub(super) fn put_at_apex(&mut self, reached: &ExitsReached) {
         let largest = self.segment.largest;
         for (i, _) in reached {

@@ -10,9 +10,9 @@
 //!
 //! T is the tangent stiffness of the object, and b the rate of its load (and of the forces of commands) per unit of λ, so that T q' = b λ'. Each
 //! contact has the tangent stiffness C, the rate a' per unit of λ of the offset of its springs (commanded displacement minus clearance and slip), and
-//! the grasp map G. The rates q', λ' and F_t' are per unit of arclength. Thus a fold, where the load factor has a maximum, is passed like any other
-//! point. The balance of forces is linear in all variables, and steps preserve it. The integration error of a step moves friction forces off the
-//! surfaces of their cones. Newton's method transverse to the path puts them back.
+//! the grasp map G; the index t means tangential components. The rates q', λ' and F_t' are per unit of arclength. Thus a fold, where the load factor
+//! has a maximum, is passed like any other point. The balance of forces is linear in all variables, and steps preserve it. The integration error of a
+//! step moves friction forces off the surfaces of their cones. Newton's method transverse to the path puts them back.
 
 use nalgebra::SVector;
 
@@ -86,7 +86,7 @@ pub(super) struct Flow<'s, 'g> {
     sizes: [f64; 2],
 }
 
-/// The load factor `to` and the state at the end of a step, with the energies of this step.
+/// The load factor `to` and the state at the end of a step, with the works that fingers, friction and load do in this step.
 #[derive(Debug, Clone)]
 pub(super) struct FlowStep {
     pub(super) to: f64,
@@ -135,7 +135,8 @@ impl<'s, 'g> Flow<'s, 'g> {
         // velocity along them.
         let pushed = |v: &Vector| {
             let rate = v.dot(&point.twist_rate);
-            // A velocity of the object along a free motion is rounding below this fraction of the norm of the twist rate.
+            // A velocity of the object along a free motion (a motion that no spring resists) is taken as rounding below the fraction `NEGLIGIBLE` of
+            // the norm of the twist rate.
             if rate.abs() > NEGLIGIBLE * point.twist_rate.norm() { rate / point.factor_rate } else { 0.0 }
         };
         let free_motions = point.free_motions.iter().map(|v| (v, pushed(v)));
@@ -276,8 +277,8 @@ impl<'s, 'g> Flow<'s, 'g> {
             out.copy_from_slice(&force.as_slice()[1..]);
             let site = &self.arc.sites()[i];
             let dissipated = friction.dot(&site.springs.slip(&stretch, &force));
-            // The power of friction (friction force times slip rate) may be negative by rounding, up to the friction force times 1e-13 of the
-            // displacement rate of the contact.
+            // The power of friction (friction force times slip rate) may be negative by rounding. The allowed amount is 1e-13 times the friction
+            // force times the displacement rate of the contact.
             let rounding = 1e-13
                 * friction.norm()
                 * site.span(&(segment.change[i] * direction.factor), &direction.twist);
@@ -292,8 +293,8 @@ impl<'s, 'g> Flow<'s, 'g> {
         turnover += fingers.abs() + worked.map(f64::abs).sum();
         out[works..].copy_from_slice(&[fingers, heat, worked.sum(), turnover]);
         let is_straight = matches!(segment.trajectory, Trajectory::Straight { .. });
-        // A decrease of the load factor by less than this fraction of the arclength does not count. Near a maximum of the load factor, the load
-        // factor then changes by less than the square of this fraction of a leg.
+        // A decrease of the load factor by less than 1e-8 per unit of arclength does not count. So near to a maximum of the load factor, the load
+        // factor differs from the maximum by less than 1e-16 of a leg.
         Some(backwards > 0.0 || is_straight && direction.factor < -1e-8)
     }
 
@@ -306,8 +307,8 @@ impl<'s, 'g> Flow<'s, 'g> {
         })
     }
 
-    /// Work of the fingers per unit of the load factor: the sum of F·a' over the contacts, with the contact force F and the rate a' of the
-    /// offset of the contact's springs. `y` are the changes of all integrated variables since the start of the step.
+    /// Work that the commanded fingers do, per unit of the load factor: the sum of F·a' over the contacts. F is the contact force, and a' the rate of
+    /// the offset of the contact's springs. `y` are the changes of all integrated variables since the start of the step.
     fn power_of_fingers(&self, y: &[f64]) -> f64 {
         let [load, _] = self.places();
         let (moved, further) = (self.twist_change(y), y[load]);

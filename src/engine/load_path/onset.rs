@@ -99,7 +99,7 @@ pub(super) struct StickingState {
     pub(super) wrench_rate: Coordinates,
     pub(super) offsets: Vec<SVector<f64, 3>>,
     pub(super) offset_rates: Vec<SVector<f64, 3>>,
-    /// For each contact its slip so far, m: nonzero only for contacts that have closed before the onset.
+    /// For each contact its slip up to the onset, m. It is nonzero only for contacts that were open at load factor 0 and have closed since.
     pub(super) slips: Vec<SVector<f64, 3>>,
 }
 

@@ -142,8 +142,8 @@ impl Program {
         }
     }
 
-    /// Called after the last leg of a closed program. Sets the load at its end to `load`, and commands, body loads and joint torques to their
-    /// values before the program. This removes rounding errors.
+    /// Called after the last leg of a closed program, whose load and commands return to their values at the beginning. Sets the load at its end to
+    /// `load`, and commands, body loads and joint torques to their values before the program. This removes rounding errors.
     pub(super) fn return_to(&mut self, grasp: &Engine, load: &Wrench<3>) {
         self.goal = *load;
         self.commands[1] = mapped(grasp.contacts(), &|contact| contact.command);

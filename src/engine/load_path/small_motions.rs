@@ -2,9 +2,9 @@
 //! the load program. A piece is a part of a leg on which all contacts keep their states.
 //!
 //! While contacts keep their states, rotations, slips and gaps are affine in the fraction of the leg. Their largest value is then at an end of the
-//! piece. While the load turns, they are harmonics of its angle, and the first point beyond a limit is a root of a trigonometric polynomial.
-//! Integration steps on arcs, along which directions of sliding turn, are checked at their ends. Regula falsi then finds the point within the piece
-//! or step.
+//! piece. While the load turns, each of them is a constant plus terms with the cosine and sine of the angle (a harmonic). The first point beyond a
+//! limit is then a root of a trigonometric polynomial. On arcs directions of sliding turn, and the path is integrated in steps. These steps are
+//! checked at their ends. If a motion is beyond its limit there, regula falsi finds the point within the piece or step.
 
 use core::f64::consts::{FRAC_PI_2, PI};
 

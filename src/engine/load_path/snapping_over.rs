@@ -14,8 +14,8 @@
 //!
 //! A step in time of length h solves `(T + D/h) Δq = R`, where D is the matrix `Σ G_i K_i G_iᵀ` and T the tangent stiffness. Then the slip of every
 //! contact is added to its slip memory s_i. Steps become longer as long as the imbalance after each step is nearly D Δq/h, the value expected from
-//! the dampers. Once forces nearly balance, the rest of R is removed along an additional leg, as in [`super::jump_leg`]. The path continues at the
-//! end of this leg. If the motion exceeds the limits of small motions, the equilibrium is taken as lost.
+//! the dampers. Once forces nearly balance, the imbalance R that is left is removed along an additional leg, as in [`super::jump_leg`]. The path
+//! continues at the end of this leg. If the motion exceeds the limits of small motions, the equilibrium is taken as lost.
 
 use nalgebra::SVector;
 
@@ -79,7 +79,7 @@ impl<'g> StateAfterSnap<'g> {
         // The call of `MovingObject::at` below decides whether a contact that slides with kinetic friction sticks and regains static friction. At the
         // start rounding alone would determine this, so the friction cones from before the call are restored after it.
         let cones = problem.cones.clone();
-        // Likewise rounding alone would determine whether a contact on the edge of its cone sticks. In the matrix of the first step in time all
+        // At the start, rounding alone would determine whether a contact on the edge of its cone sticks. In the matrix of the first step in time all
         // contacts are therefore taken as open, so that this matrix has the dampers alone.
         let mut here =
             MovingObject { contacts: none.clone(), ..MovingObject::at(start.clone(), none, &mut problem) };
@@ -137,7 +137,7 @@ pub(super) fn a_little(sites: &[Site], change: &[SVector<f64, 3>], mut rate: Vec
     LITTLE_BEYOND * (largest / rate.norm()).max(LEAST_FORCE)
 }
 
-/// Number of times that the object has snapped over to another equilibrium on a leg so far. Also the load factor at which it last came to rest.
+/// The number of times that the object has snapped over to another equilibrium on a leg so far, and the load factor at which it last came to rest.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct SnapCount {
     count: usize,
@@ -177,8 +177,9 @@ impl MovingObject {
 
 impl<'g> PiecewiseFollower<'g> {
     /// The event that replaces the loss `loss`: the object snaps over to another equilibrium at a slightly larger load factor, from which the path
-    /// continues. `None` if the object does not come to rest within small motions. Also `None`, without a try, for other kinds of loss, for grasps
-    /// with suction cups, at the end of a leg, after a jump that failed, and if the object has snapped over [`MOST_SNAPS`] times on this leg.
+    /// continues. `None` if the object does not come to rest within small motions. Also `None`, without a try, for losses of the kinds `LetsGo`,
+    /// `TooFar` and `GivesWay`, and for grasps with suction cups. Also at the end of a leg, after a jump that failed, and if the object has snapped
+    /// over [`MOST_SNAPS`] times on this leg.
     pub(super) fn snaps_over(&mut self, run: &ProgramRun<'g>, loss: &Loss<3>) -> Option<Event<3>> {
         let ends_in_balance = !matches!(loss.kind, LossKind::LetsGo | LossKind::TooFar | LossKind::GivesWay);
         // The model with dampers keeps the pull of a vacuum even if its cup opens during the motion, so grasps with cups are excluded.

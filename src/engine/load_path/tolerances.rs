@@ -7,15 +7,15 @@
 
 use crate::contact::ZERO_SLACK;
 
-/// At the beginning of a leg along which the load turns, the turn must have the load at which the leg before has ended. Each component may differ by
-/// this fraction of the largest component of the turn's first load.
+/// A leg along which the load turns must begin with the load at which the leg before has ended, unless its first load is zero. Each component of
+/// these two loads may differ by this fraction of the largest component of the first load of the leg.
 ///
 /// If smaller, loads that people write with six digits are refused; if larger, loads jump where a leg begins.
 pub(super) const AS_WRITTEN: f64 = 1e-6;
 
 /// Beyond the end of a path, another equilibrium is first searched for at this distance, measured along the load factor. The unit of the distance is
-/// the change of the load factor that would build up the whole load or all spring offsets at their present rates; if both are zero, it is the whole
-/// leg. For an object that snaps over, this number is the imbalance beyond the end of its path, as a fraction of the largest force.
+/// a change of the load factor: at the present rates it would build up the whole load or all spring offsets from zero. If both rates are zero, the
+/// unit is the whole leg. For an object that snaps over, this number is the imbalance beyond the end of its path, as a fraction of the largest force.
 ///
 /// If smaller, the equilibrium found differs from the end by rounding only; if larger, the search may find the situation beyond a later event.
 pub(super) const LITTLE_BEYOND: f64 = 1e-6;
@@ -42,7 +42,7 @@ pub(super) const MOST_SNAPPING_STEPS: usize = 1000;
 ///
 /// If the object sticks and snaps over again and again, the step of the load factor doubles each time. Twenty doublings lead from the shortest step
 /// to the whole leg, and forty more to the load at which the object is lost. The limit exists because a snap is expensive: it takes as long as a
-/// complete search for an equilibrium, after a search for rates of forces and motion has failed.
+/// complete search for an equilibrium, and another search (for rates of forces and motion) has failed before it.
 pub(super) const MOST_SNAPS: usize = 64;
 
 /// While an object snaps over, a step in time is accepted if the imbalance of forces after it is nearly that expected from the dampers. The
@@ -62,15 +62,16 @@ pub(super) const FASTEST_GROWTH: f64 = 4.0;
 /// If smaller, steps are many when contacts chatter; if larger, the contacts overshoot.
 pub(super) const SHORTEST_SNAPPING_STEP: f64 = 0.25;
 
-/// The load factor of an event is corrected with forces that are solved for at the event. The correction may be at most this fraction of the load
-/// factor. A larger correction means that the event itself is wrong.
+/// The load factor (or angle) of an event is first computed from rates. Then the contact forces at this load factor are computed, and show by how
+/// much it must be corrected. The correction may be at most this fraction of the load factor. A larger correction means that the event itself is
+/// wrong.
 ///
 /// If smaller, true corrections are thrown away; if larger, wrong events are accepted as corrected.
 pub(super) const LARGEST_CORRECTION: f64 = 1e-6;
 
-/// Events may be so close together that the steps between them are too short to advance. Gaps and margins are then set to zero if they are at most
-/// this fraction of the terms whose difference they are, so that these events become one. A margin is the distance of a contact force from the edge
-/// of its cone.
+/// Events may be so close together that the steps between them are too short to advance. A gap or margin is the difference of two terms. Gaps and
+/// margins of at most this fraction of their terms are then set to zero, so that these events become one. A margin is the distance of a contact force
+/// from the edge of its cone.
 ///
 /// If smaller, a path ends at an accumulation of events; if larger, it skips separate events.
 pub(super) const GATHERED_MARGIN: f64 = 1e-8;
@@ -88,8 +89,8 @@ pub(super) const NO_RIGID_MOTION: f64 = 1e-6;
 /// If smaller, rounding would seem to turn directions for ever; if larger, directions that still turn are taken as final.
 pub(super) const STANDS_STILL: f64 = 1e-10;
 
-/// If the decreasing normal force of a sliding contact is at most this fraction of the terms whose sum it is, it no longer determines the direction
-/// of friction. The error of that direction is the integration error of the steps, divided by this fraction.
+/// The normal force of a sliding contact is a sum of terms. If it decreases and is at most this fraction of the terms, the friction force no longer
+/// has a certain direction. The error of that direction is the integration error of the steps, divided by this fraction.
 ///
 /// If smaller, friction follows directions that are mere error of steps; if larger, the normal force of a contact that still presses is taken as
 /// vanishing.
@@ -106,8 +107,9 @@ pub(super) const SHORTEST_STEP: f64 = 1e-12;
 /// If smaller, events that the error of steps has blurred are found twice; if larger, conditions that nearly fail are taken as events.
 pub(super) const SLACK_ON_AN_ARC: f64 = ZERO_SLACK + 1e-13;
 
-/// Directions of friction turn fast if the normal force of a sliding contact is small. Below this fraction of the largest contact force at the first
-/// slip, the method that follows a grasp by the slips of its contacts alone (`in_slips`) gives no answer, and the grasp is followed as a load path.
+/// Directions of friction turn fast if the normal force of a sliding contact is small. The method `in_slips` follows a grasp by the slips of its
+/// contacts alone. If a normal force falls below this fraction of the largest contact force at the first slip, `in_slips` gives no answer. The grasp
+/// is then followed as a load path.
 ///
 /// If smaller, steps become short, since `in_slips` has no implicit steps; if larger, more grasps of a batch take as long as a load path.
 pub(super) const LITTLE_NORMAL_FORCE: f64 = 1e-3;

@@ -26,7 +26,7 @@ pub(super) struct BoundedCubic {
     /// The friction cone, if the margin is the distance `μ F_n - |F_t|` of a force from its edge. `None` if the margin is the first component, a
     /// normal force or a gap.
     cone: Option<Coulomb>,
-    /// The factor g, N or m, of a bound on the interpolation error: at the fraction s of the step, the margin from the cubic and the true margin
+    /// The factor g, N or m, in a bound on the interpolation error. At the fraction s of the step, the margin from the cubic and the true margin
     /// differ by at most `s²(1 - s)² g`.
     error_factor: f64,
     /// The condition counts as satisfied if its margin, the value that must not be negative, is at least minus this number, in N or m.

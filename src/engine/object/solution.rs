@@ -148,8 +148,8 @@ impl LinearProblem {
         false
     }
 
-    /// [`Self::solve`] without refinement, for a [`LinearProblem`] in which all contacts stick and springs resist every motion. The spring forces are
-    /// projected onto the balance of forces twice; the remaining error is a few roundings of the largest force.
+    /// [`Self::solve`] without refinement, for a [`LinearProblem`] in which all contacts stick and springs resist every motion. The object is moved
+    /// twice until forces balance: the second time removes the rounding error of the first. An error of a few roundings of the largest force remains.
     pub(crate) fn solve_roughly(&self, offsets: &[SVector<f64, 3>], wrench: &Vector) -> ForcesAndTwist {
         let mut state = ForcesAndTwist::default();
         self.solve_roughly_into(offsets, wrench, (&mut SolutionMemory::default(), &mut state));

@@ -51,8 +51,8 @@ struct ContactResponses {
 }
 
 /// Proposed contact states on polygonal friction cones or in the plane. As a rule forces nearly balance in these states, and friction limits nearly
-/// agree with the normal forces. `None` with fewer than 36 coordinates, too few for a band matrix ([`uses_band`]), with motions that nothing resists,
-/// or if a contact has infinite friction and may open.
+/// agree with the normal forces. `None` with fewer than 36 coordinates, too few for a band matrix ([`uses_band`]). Also `None` if nothing resists
+/// some motion, or if a contact has infinite friction and may open.
 pub(crate) fn states_by_tresca(problem: &Problem<'_>) -> Option<Vec<State>> {
     if !uses_band(problem.size()) {
         return None;

@@ -149,10 +149,10 @@ pub(crate) fn for_each_condition(
     }
 }
 
-/// The norm of the imbalance `Σ G_i F_i + W` of contact forces F_i (grasp maps G_i) and load W, divided by a size of the forces: the sum of the norms
-/// of contact forces, plus the larger of the load and the largest contact force. If commands alone move a statically determinate grasp, its exact
-/// forces are zero, and the computed forces are rounding errors. The largest force is therefore at least the fraction `NO_FORCE` of the force that
-/// the displacements could cause in the softest spring.
+/// The norm of the imbalance `Σ G_i F_i + W` of contact forces F_i (grasp maps G_i) and load W, divided by a size of the forces. This size is the sum
+/// of the norms of the contact forces, plus the larger of the load and the largest contact force. If commands alone move a statically determinate
+/// grasp, its exact forces are zero, and the computed forces are rounding errors. The largest force is therefore at least the fraction `NO_FORCE` of
+/// the force that the displacements could cause in the softest spring.
 fn out_of_balance(problem: &Problem, forces: &[SVector<f64, 3>], twist: &Vector) -> f64 {
     let (left, carried) = problem.imbalance(forces);
     let size = problem.largest_force(forces, twist) + carried;
@@ -183,9 +183,9 @@ fn worse(worst: f64, value: f64, size: f64) -> f64 {
     if value.is_nan() { f64::INFINITY } else { worst.max(-value / size) }
 }
 
-/// The shortest shift of a solution after which the inequalities of all contact states hold: coefficients τ_k of least norm, so that the object moves
-/// by `Σ τ_k · motion_k`. Each entry of `motions` is such a motion with the change of all contact forces along it; the motions are orthonormal in the
-/// engine's coordinates. `None` if no shift satisfies the inequalities.
+/// The shortest shift of a solution after which the inequalities of all contact states hold. Returns its coefficients τ_k, of least norm: the object
+/// moves by `Σ τ_k · motion_k`. Each entry of `motions` is such a motion with the change of all contact forces along it; the motions are orthonormal
+/// in the engine's coordinates. `None` if no shift satisfies the inequalities.
 fn least_admissible_shift(
     problem: &Problem,
     states: &[State],
@@ -205,8 +205,8 @@ fn least_admissible_shift(
             let stretch = -site.map.tr_mul(motion);
             let at = SpringState { stretch, force, span: site.span(&SVector::zeros(), motion), largest };
             problem.local(contact).for_each_condition(state, &at, &mut |rate, rate_size| {
-                // If a unit motion changes the value of an inequality by less than this fraction of the terms of the change, the change is rounding
-                // of zero. Otherwise a very long motion could seem to satisfy the inequality.
+                // The change of an inequality's value under a unit motion is a sum of terms. If it is less than this fraction of the terms, the
+                // change is taken as a rounding error of zero. Otherwise a very long motion could seem to satisfy the inequality.
                 if rate.abs() > SOLVED_ROUNDING * rate_size {
                     rows[i].1[k] = rate / sizes[i];
                 }

@@ -23,8 +23,8 @@ pub(crate) fn for_each_combination(problem: &Problem, visit: &mut dyn FnMut(Vec<
         if visit(states) {
             return;
         }
-        // The next combination, as in counting: the first contact that is not in its last state takes its next state, and all contacts before it
-        // return to their first state.
+        // The next combination, in the order of counting up the digits of a number. The first contact that is not in its last state takes its next
+        // state; all contacts before it return to their first state.
         let Some(next) = (0..at.len()).find(|&i| at[i] + 1 < choices[i].len()) else { return };
         at[next] += 1;
         at[..next].fill(0);

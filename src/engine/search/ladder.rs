@@ -2,7 +2,8 @@
 //! or a proof.
 //!
 //! The elastic trial, in which everything sticks, is tried before the first rung. A rung costs more than the rungs before it, or ends the search less
-//! often. The kinematic form is the complementarity problem for gaps and slips, the force form that for contact forces.
+//! often. A separating motion is a virtual motion along which the load does positive work and no admissible contact force does negative work. The
+//! kinematic form is the complementarity problem for gaps and slips, the force form that for contact forces.
 
 use super::answer::{Doubt, FoundBy, SearchCounts, SearchOutcome, SearchSolution};
 use super::candidate::{RejectedStates, admit};
@@ -132,8 +133,8 @@ fn has_many_contacts(scene: &ElasticTrial<'_, '_>) -> bool {
     scene.problem.len() >= MANY_CONTACTS
 }
 
-/// Whether Newton's method seldom cycles on polygons, so that it is worth a try. This is so with many contacts, and with several contacts if there
-/// are few coordinates.
+/// Whether Newton's method on polygonal friction cones seldom cycles between the same contact states, so that it is worth a try. This is so with many
+/// contacts, and with several contacts if there are few coordinates.
 fn seldom_cycles(scene: &ElasticTrial<'_, '_>) -> bool {
     let several = || scene.problem.len() >= SEVERAL_CONTACTS && scene.problem.size().count() <= WHOLE;
     has_many_contacts(scene) || several()
@@ -166,9 +167,10 @@ fn touching_contacts_stick(scene: &ElasticTrial<'_, '_>, _: &mut SearchLog) -> A
     Attempt::of(touching_contacts(scene.problem, scene.trial_states.clone(), scene.state.clone()))
 }
 
-/// Newton's method for the motion of the object, of which each contact force is a function. On polygons it starts at the elastic trial only. On round
-/// cones it has three starts, one after the other: with few contacts, points of the relaxation (`object/relaxing`); then the elastic trial; last the
-/// twist from Tresca friction, whose limits do not depend on the normal forces.
+/// Newton's method for the motion of the object, of which each contact force is a function. On polygonal cones it starts at the elastic trial only.
+/// On round cones it has three starts, one after the other: with few contacts, points of the relaxation, a viscous motion of the object
+/// (`object/relaxing`); then the elastic trial; last the twist of an equilibrium with Tresca friction (friction limits that do not depend on the
+/// normal forces).
 fn newton(scene: &ElasticTrial<'_, '_>, log: &mut SearchLog) -> Attempt {
     if !has_round_cones(scene.problem) {
         let propose = |problem: &Problem, _: &mut SearchLog| {
@@ -188,7 +190,7 @@ fn newton(scene: &ElasticTrial<'_, '_>, log: &mut SearchLog) -> Attempt {
 
 /// The equilibrium to which the relaxation leads. The relaxation is an artificial viscous motion of the object from the elastic trial
 /// (`object/relaxing`). Newton's method starts from points of this motion. If its result is far from its start, the next point is tried, and the
-/// distant equilibrium is returned only if no point leads to a near one. `None` if Newton's method finds no equilibrium.
+/// distant equilibrium is returned only if no point leads to an equilibrium near that point. `None` if Newton's method finds no equilibrium.
 fn where_it_relaxes_to(scene: &ElasticTrial<'_, '_>) -> Option<SearchSolution> {
     let mut relaxation = SpringDashpotRelaxation::from_stuck(scene.problem, &scene.state.twist)?;
     let mut another = None;
@@ -203,22 +205,23 @@ fn where_it_relaxes_to(scene: &ElasticTrial<'_, '_>) -> Option<SearchSolution> {
 }
 
 /// Searches for a proof that a rate problem (for derivatives along a load path) has no solution, as at a limit load. The proof is a virtual motion
-/// along which the rate of the load does work, while the contacts do none if all slide or open that may do so. In no other contact states do the
-/// contacts do more negative work along this motion.
+/// along which the rate of the load does work. The contacts do no work along it if every contact that may slide or open does so. In other contact
+/// states they cannot do more negative work along it.
 fn everything_yields(scene: &ElasticTrial<'_, '_>, _: &mut SearchLog) -> Attempt {
     let proof = proofs::yields(scene.problem);
     proof.map_or(Attempt::Nothing, |escape| Attempt::Proof(SearchOutcome::Contradicted { cases: 1, escape }))
 }
 
-/// Searches for a proof with many contacts or coordinates: a motion that separates the load from all admissible contact forces. With many coordinates
-/// an augmented Lagrangian finds the motion. Otherwise the motion is the residual wrench of the admissible forces nearest to the load.
+/// Searches for a proof with many contacts or coordinates: a motion that separates the load from all admissible contact forces (a separating motion,
+/// see the head of this file). With many coordinates an augmented Lagrangian finds the motion. Otherwise the motion is the residual wrench of the
+/// admissible forces nearest to the load.
 fn separating_motion(scene: &ElasticTrial<'_, '_>, _: &mut SearchLog) -> Attempt {
     let motion = proofs::separating_motion(scene.proposing());
     motion.map_or(Attempt::Nothing, |motion| Attempt::Proof(SearchOutcome::Separating(motion)))
 }
 
-/// Searches for a proof with few contacts: a motion that separates the load from all admissible contact forces. This motion is the residual
-/// wrench of the admissible forces nearest to the load.
+/// Searches for a proof with few contacts: a motion that separates the load from all admissible contact forces (a separating motion, see the head of
+/// this file). This motion is the residual wrench of the admissible forces nearest to the load.
 fn separating_motion_of_few(scene: &ElasticTrial<'_, '_>, _: &mut SearchLog) -> Attempt {
     let motion = proofs::separating_motion_of_few(scene.proposing());
     motion.map_or(Attempt::Nothing, |motion| Attempt::Proof(SearchOutcome::Separating(motion)))
@@ -262,8 +265,8 @@ fn force_form(scene: &ElasticTrial<'_, '_>, log: &mut SearchLog) -> Attempt {
     Attempt::of(equilibrium_by_proposals(scene.proposing(), &propose, log))
 }
 
-/// Tries every case, if there are not too many. On the round cone branch and bound divides contact states and directions of friction into cases;
-/// elsewhere cases are combinations of contact states.
+/// Tries every case, if there are not too many. On the round cone branch and bound divides contact states and directions of friction into cases. In
+/// the plane and on polygonal cones cases are combinations of contact states.
 fn every_case(scene: &ElasticTrial<'_, '_>, log: &mut SearchLog) -> Attempt {
     let (most, problem) = (most_cases(scene.problem, scene.settings), scene.proposing());
     if most > 0 {

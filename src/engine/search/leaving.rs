@@ -68,8 +68,8 @@ pub(super) fn propose_of_the_leaving(
         if among.is_empty() {
             return Some(base.states);
         }
-        // In a run that starts from the states of Tresca friction, at most 400 contacts pivot. This includes contacts that share coordinates with
-        // others that pivot (see `with_neighbours`).
+        // In a run that starts from the states of Tresca friction, at most 400 contacts pivot. The 400 include neighbours: contacts that share
+        // coordinates with contacts that break a condition (see `with_neighbours`).
         if let Some(states) = pivoted(problem, scene.settings, (base, among, 400), log) {
             return Some(states);
         }

@@ -90,8 +90,9 @@ impl RoundPieces {
             if sharp && !left {
                 return None;
             }
-            // A new factorisation is needed if contact states have changed, or if the solution is not near yet. Near the solution the present
-            // factorisation is good enough: each step reduces the error by a constant factor.
+            // A new factorisation is needed if contact states have changed, or if the last step changed forces or twist by more than 1e-8 of
+            // themselves (`near` is false). Near the solution the present factorisation is good enough: each step reduces the error by a constant
+            // factor.
             if left || !near {
                 linear_problem = LinearProblem::new(problem, &self.states);
             }
@@ -120,9 +121,9 @@ impl RoundPieces {
         let (moved, size) = (missing.twist.norm(), twist.norm());
         // Newton's method has converged if a step changes the twist and each force by less than this fraction of themselves (`sharp`).
         let last = 1e-14;
-        // If rounding alone determines the direction of a small force, no step is `sharp`. Another criterion is then a change of each force by less
-        // than this fraction of itself: Newton's method converges quadratically, so the remaining relative error is only the square of the fraction.
-        // The rounding error of the largest force is allowed in addition (`settled`).
+        // If rounding alone determines the direction of a small force, no step is `sharp`. Then it is enough if each force changes by less than this
+        // fraction of itself. Newton's method converges quadratically, so the remaining relative error is only the square of the fraction. The
+        // rounding error of the largest force is allowed in addition (`settled`).
         let little = 1e-8;
         let (mut sharp, mut near, mut settled) = (moved <= last * size, moved <= little * size, true);
         for (force, missing) in self.forces.iter_mut().zip(&missing.forces) {
@@ -231,9 +232,9 @@ fn next_state(
 }
 
 /// Whether contact forces balance the load up to rounding. The imbalance is compared with the sum of the norms of the contact forces, plus the load.
-/// Without a load all forces may be rounding errors. The load is then replaced by the largest contact force, or by the fraction `NO_FORCE` of the
-/// force that the twist would cause in the springs if that is larger. With a load the twist does not count: a huge twist would make any imbalance
-/// seem small.
+/// Without a load all forces may be rounding errors. The load is then replaced by the larger of two forces: the largest contact force, and the
+/// fraction `NO_FORCE` of the force that the twist would cause in the springs. With a load the twist does not count: a huge twist would make any
+/// imbalance seem small.
 fn balanced(problem: &Problem, at: &ForcesAndTwist) -> bool {
     let (left, carried) = problem.imbalance(&at.forces);
     let load = problem.wrench.norm();

@@ -2,10 +2,10 @@
 //! sticks.
 //!
 //! A case restricts the states of each contact by a [`Label`], for example to closed, or to friction directions between two angles. The first case
-//! restricts no contact. The relaxation of a case ([`super::relaxed`]) either contradicts the case, or gives a stretch and a force for every contact.
-//! In some cases Newton's method starts from these stretches and forces. Unless Newton's method converges, the label of the contact whose force is
-//! farthest from its law is divided into two labels, which make two cases. Every division brings the relaxation closer to the law, until cases are
-//! contradicted or Newton's method converges.
+//! restricts no contact. The relaxation of a case ([`super::relaxed`]) either contradicts the case, or gives every contact a stretch of its springs
+//! and a force. In some cases Newton's method starts from these stretches and forces. Unless Newton's method converges, the label of the contact
+//! whose force is farthest from its law is divided into two labels, which make two cases. Every division brings the relaxation closer to the law,
+//! until cases are contradicted or Newton's method converges.
 
 use alloc::rc::Rc;
 
@@ -45,7 +45,8 @@ struct Case {
 }
 
 /// Whether branch and bound is needed because some contact has a round cone. Without round cones it suffices to try all combinations of states. False
-/// if some contact is on the edge of its cone in a rate problem (for derivatives along a load path): its law has a plane facet in place of the cone.
+/// in a rate problem (for derivatives along a load path) with a contact on the edge of its cone. The law of such a contact has a plane facet in place
+/// of the cone.
 pub(super) fn has_round_cones(problem: &Problem) -> bool {
     problem.locals().any(|local| local.is_round()) && !problem.locals().any(|local| local.is_on_an_edge())
 }
@@ -169,8 +170,8 @@ fn farthest_from_the_law(
         let answer = local.answer(&stretches[contact], 0.0);
         let imbalance = balance.part(contact, &(forces[contact] - answer.force));
         error = error.max(imbalance);
-        // Labels that restrict nothing yet are preferred: as long as a contact has such a label, divisions of other labels contribute little to a
-        // contradiction.
+        // Labels that restrict nothing yet are preferred, by the factor 3. As long as a contact has such a label, divisions of the labels of other
+        // contacts contribute little to a contradiction.
         let weighed = if labels[contact] == Label::Anything { 3.0 * imbalance } else { imbalance };
         if weighed > worst {
             (farthest, worst) = (contact, weighed);

@@ -1,6 +1,6 @@
 //! Tests of [`yields`], which searches for a proof about a rate problem (for derivatives of forces and motion along a load path). The proof says that
-//! no forces balance offsets and load if every contact that may slide or open does so. The tests check that in this case no combination of contact
-//! states is an equilibrium.
+//! no contact forces agree with spring offsets and load if every contact that may slide or open does so. The tests check that, whenever a proof is
+//! found, no combination of contact states is an equilibrium.
 
 use core::f64::consts::TAU;
 

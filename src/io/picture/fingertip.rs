@@ -35,7 +35,8 @@ impl ContactPoints {
         self.range.len() > 1
     }
 
-    /// Whether a point with this state gets a dot. If a contact has more than sixteen points, only points that do not stick get a dot.
+    /// Whether a contact point with the state `word` gets a dot in a picture. If a contact has more than sixteen points, only points that do not
+    /// stick get a dot.
     pub(super) fn shows(&self, word: &str) -> bool {
         self.range.len() <= 16 || word != "sticking"
     }

@@ -15,7 +15,7 @@ pub(super) fn turn(from: f64, to: f64) -> f64 {
     (to - from + PI).rem_euclid(TAU) - PI
 }
 
-/// Line width of a curve, pixels. Later curves lie below earlier ones and are wider, so that they remain visible.
+/// Line width of a curve, pixels. A curve of larger index lies below curves of smaller index; it is wider, so that it remains visible beside them.
 pub(super) fn width_of(index: usize) -> f64 {
     2.0 + 3.0 * index.min(2) as f64
 }

@@ -310,8 +310,8 @@ impl Setup<3> {
         Ok(if self.shared_by_mass { bodies.shared_by_mass() } else { bodies })
     }
 
-    /// Refuses fields about bodies in a scene without bodies. In a scene with bodies refuses a load that is both shared by mass and on one body, and
-    /// an outline of the scene itself, since each body has its own.
+    /// Refuses fields about bodies in a scene without bodies. In a scene with bodies it refuses a load that is both shared by mass and on one body.
+    /// There it also refuses an outline of the scene itself, since each body has an outline of its own.
     fn check_bodies(&self) -> Result<(), String> {
         let said = [
             ("gravity", self.gravity.is_some()),

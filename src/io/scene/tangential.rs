@@ -10,9 +10,9 @@ use crate::grasp::inside;
 const DEPENDS: f64 = 0.05;
 
 impl<const C: usize> Setup<C> {
-    /// Indices of the questions whose answers change by more than 5 % if tangential stiffnesses change. In the trials the tangential stiffness of all
-    /// contacts is divided by ten, that of all contacts is multiplied by ten, and that of each single contact is multiplied by ten. The limits of
-    /// [small motions](crate::Settings::small_motions) stay in force in all trials.
+    /// Indices of the questions whose answers change by more than 5 % if tangential stiffnesses change. In the first trial the tangential stiffness
+    /// of all contacts is divided by ten, in the second it is multiplied by ten. In each further trial that of a single contact is multiplied by ten.
+    /// The limits of [small motions](crate::Settings::small_motions) stay in force in all trials.
     ///
     /// # Errors
     /// As for [`Self::answers`].

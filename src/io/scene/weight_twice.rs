@@ -21,8 +21,8 @@ impl Setup<3> {
 }
 
 impl<const C: usize> Setup<C> {
-    /// Refuses a question, given as JSON, that states a mass or a turning weight for bodies on which the gravity of the scene already acts. `path` is
-    /// the path of the question in the text, for the message.
+    /// Refuses a question, given as JSON, that states a mass, or a weight whose direction turns, for bodies on which the gravity of the scene already
+    /// acts. `path` is the path of the question in the text, for the message.
     ///
     /// # Errors
     /// A [`Fault`] that names the field, and how to count the weight once.

@@ -7,7 +7,8 @@
 //! -F·u  <=  (μ m - u_n) F_n  <=  (μ m - u_n)₊ k_n (v_n)₊
 //! ```
 //!
-//! since the normal force of a closed contact is `k_n v_n`, whatever its history. A contact that can neither open nor slide has the force K v.
+//! since the normal force of a closed contact is `k_n v_n`, whatever its history. A contact that can neither open nor slide has the force K v, with
+//! its stiffness matrix K and the stretch v of its springs.
 
 use crate::numerics::largest;
 

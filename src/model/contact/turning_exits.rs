@@ -124,7 +124,8 @@ impl LocalLaw<'_> {
             FirstZero::At(angle) => self.polished(wave, angle),
             FirstZero::Touches(angle) => return apex.or(Some(TurningExit::Touches(angle))),
         };
-        // At the apex the exit from the round cone coincides with the zero of the normal force.
+        // If the force leaves the cone through its apex, normal force and friction force vanish together. The zero of the normal force (`apex`) is
+        // then the exit.
         if let Some(TurningExit::Leaves(through)) = apex
             && (through.step <= step || tangential(&wave.of.at(through.step)).norm() <= slack)
         {
@@ -146,7 +147,8 @@ impl LocalLaw<'_> {
         let rounding = ROUNDED_SUM * (self.cone().round_weight() * wave.size).powi(2);
         match Start::of(&difference, rounding, rounding) {
             Start::Above { roots } => difference.first_fall(most, rounding, roots),
-            // The margin is not positive just after the start, as near the apex. The caller then uses the angle at which the normal force vanishes.
+            // The difference (μF_n)² - |F_t|² is not positive just after the start, as near the apex of the cone. The caller then uses the angle at
+            // which the normal force vanishes.
             Start::Falls | Start::Stays => None,
         }
     }

@@ -1,15 +1,16 @@
 //! Tolerances of a grasp, and of the words for its motions.
 
 /// Cholesky factorisation of a stiffness or compliance matrix reduces its entries to remainders. A negative remainder of a diagonal entry counts as a
-/// rounding error if its magnitude is at most this fraction of the original entry. So do remainders of offdiagonal entries in a block that must
-/// vanish.
+/// rounding error if its magnitude is at most this fraction of the original entry. Where only zero diagonal entries are left, the offdiagonal entries
+/// between them must be zero, too, in a semidefinite matrix. Their remainders count as rounding errors up to this fraction of the geometric mean of
+/// the two original diagonal entries.
 ///
 /// If smaller, rounding makes a semidefinite matrix indefinite; if larger, an indefinite matrix is accepted.
 pub(super) const NEGATIVE_REMAINDER: f64 = 1e-10;
 
-/// The sentence for a motion begins with the translation if the displacement that rotation gives to the points of the object is at most this fraction
-/// of their mean displacement. Otherwise it begins with the rotation. In a sentence for several bodies, a body is named only if it moves faster than
-/// this fraction of the speed of the fastest body.
+/// The sentence for a motion begins with the translation if the rotation contributes little. Little means: the displacements of the points of the
+/// object due to rotation are at most this fraction of their mean displacement. Otherwise it begins with the rotation. In a sentence for several
+/// bodies, a body is named only if it moves faster than this fraction of the speed of the fastest body.
 ///
 /// If smaller, sentences describe motions that are hardly visible; if larger, they omit bodies that move.
 pub(super) const SEEN_MOTION: f64 = 0.05;

@@ -11,9 +11,9 @@
 //! load, [`Agreement`] gives the load factor up to which the minimum is an equilibrium.
 //!
 //! Coulomb's law and the quadratic program differ in one factor. Let x = K^{-1/2} F be the contact forces F in energy coordinates, with the stiffness
-//! K. Let x⁰ be these forces if everything sticks, and Π the projector on the motions of the object. Each row of N x >= 0 is the condition of one
-//! facet of a friction cone, and S consists of the tangential components of these rows. The unknowns z are slips in Coulomb's law, but multipliers in
-//! the quadratic program:
+//! K. Let x⁰ be these forces if everything sticks. Let Π be the orthogonal projector onto the range of K^{1/2}Gᵀ, i.e. onto the changes of x that
+//! motions of the object cause. Each row of N x >= 0 is the condition of one facet of a friction cone, and S consists of the tangential components of
+//! these rows. The unknowns z are slips in Coulomb's law, but multipliers in the quadratic program:
 //!
 //! ```text
 //! Coulomb             x = x⁰ + (1 - Π) Sᵀz       0 <= z ⟂ N x >= 0      surfaces slip

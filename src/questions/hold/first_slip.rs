@@ -1,6 +1,6 @@
-//! The first slip of a verdict (the answer to the question whether a grasp holds a load): the least load factor at which a contact leaves its state
-//! (open, sticking, sliding), and all contacts that leave their states at this factor, up to rounding. The load factor is the multiple of the growing
-//! load that acts: 0 at rest, 1 under the whole load. A jump is a sudden motion under constant load.
+//! The first slip of a verdict (the answer to the question whether a grasp holds a load). It consists of the least load factor at which a contact
+//! leaves its state (open, sticking, sliding), and of all contacts that leave their states at this factor, up to rounding. The load factor is the
+//! multiple of the growing load that acts: 0 at rest, 1 under the whole load. A jump is a sudden motion under constant load.
 
 use crate::equilibrium::{ContactState, DriveState, Equilibrium};
 use crate::grasp::{Engine, PartLabel};

@@ -103,7 +103,7 @@ impl Unknown {
         /// This unknown with a name that answers show, such as "rubber".
         pub fn named(mut self, name: impl Into<String>) { self.name = Some(name.into()); }
 
-        /// This unknown with another value at the start of the search than the value of the grasp; more than zero.
+        /// This unknown with another value at the start of the search than the value of the grasp; it must be more than zero.
         pub fn starting_at(mut self, value: f64) { self.start = Some(value); }
     }
 

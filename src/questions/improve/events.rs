@@ -171,8 +171,8 @@ impl PressedContact<'_> {
 
 /// All [`SlipEvent`]s (sticking conditions under loads) and all constraints under the base load of a design point. `most` has the greatest allowed
 /// normal force of each contact whose squeeze may change. `parts` are the sets of contact forces of an
-/// [`EvaluatedDesign`](super::ascent::EvaluatedDesign). In the first set all idle contacts are open; in each further set those are closed that some
-/// load closes. `derivatives` has the derivatives of each set with respect to the design variables.
+/// [`EvaluatedDesign`](super::ascent::EvaluatedDesign). In the first set all idle contacts are open. In each further set the idle contacts that some
+/// load closes are closed. `derivatives` has the derivatives of each set with respect to the design variables.
 pub(super) fn events(
     loaded: &LoadSet,
     most: &[Option<f64>],

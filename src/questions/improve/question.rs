@@ -79,7 +79,7 @@ fn place_of<T>(list: &[(usize, T)], contact: usize) -> Result<usize, usize> {
 }
 
 impl<const C: usize> Improve<C> {
-    /// Asks for the latest first slip under these loads: each load grows in proportion, one at a time, or a force of any direction grows.
+    /// Asks for the largest load factor of first slip under these loads. Each load grows from zero on its own, or a force of any direction grows.
     pub fn new(loads: impl Into<Loads<C>>) -> Self {
         let LoadFields { load, loads, any_force, at, turn } = loads.into().into();
         let (base, at_most, goal, starts, steps, seed) = (None, None, None, None, None, None);

@@ -7,10 +7,10 @@
 //! min  t + ½ dᵀB d     such that     t + τ_k + g_k·d >= top,     h_b·d + left_b >= 0,     low <= d <= high
 //! ```
 //!
-//! `top` is a constant above every value that the least of the events can have in the box, so that t is positive and a minimum exists. By the
-//! optimality conditions, the gradients of events and constraints are weighted by their multipliers. Their sum is B d plus the multipliers of the box
-//! (of upper ends minus lower ends). At an optimum of the search the step d is zero. The sum then vanishes in all variables that are not at an end of
-//! their range.
+//! `top` is a constant above every value that the least of the events can have in the box, so that t is positive and a minimum exists. Let each
+//! gradient of an event or a constraint be weighted by its multiplier. By the optimality conditions the sum of the weighted gradients is B d plus the
+//! multipliers of the box (of upper ends minus lower ends). At an optimum of the search the step d is zero. The sum then vanishes in all variables
+//! that are not at an end of their range.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -21,8 +21,9 @@ use crate::prelude::*;
 
 /// The data of the quadratic program of one step. `factors` are the values of the events (sticking conditions under loads), scaled so that the least
 /// of them is 1 at the present places and squeezes. For first slip they are divided by the load factor of first slip. For a reserve (the least margin
-/// under the loads) a factor is 1 plus the margin less the least margin, divided by the greatest contact force under the base load. Each variable is
-/// divided by its unit: the size of the grasp for a place, the greatest allowed force for a squeeze.
+/// under the loads) a factor is 1 plus a quotient. The quotient is the margin of the event minus the least margin of all events, divided by the
+/// greatest contact force under the base load. Each variable is divided by its unit: the size of the grasp for a place, the greatest allowed force
+/// for a squeeze.
 pub(super) struct StepProgram {
     pub(super) factors: Vec<f64>,
     pub(super) gradients: Vec<DVector<f64>>,
@@ -36,7 +37,7 @@ pub(super) struct StepProgram {
 #[derive(Debug, Clone)]
 pub(super) struct TrialStep {
     pub(super) d: DVector<f64>,
-    /// Increase of the least event value that the linearised events predict, less the curvature term; divided by the same number as `factors`.
+    /// The predicted increase of the least entry of `factors`: by the linearised events, less the curvature term.
     pub(super) gain: f64,
     /// Multipliers of the events (sticking conditions under loads), at least 0; they add up to one.
     pub(super) events: Vec<f64>,

@@ -44,7 +44,7 @@ impl Improved<3> {
         let (what, one) = if is_reserve { ("RESERVE of", None) } else { ("FIRST SLIP at", self.force) };
         let unit = if is_reserve || one.is_some() { "N" } else { "times the loads" };
         let much = |value: f64| words.number(value * one.unwrap_or(1.0));
-        // A first slip before the whole load acts stands beside the size of this load.
+        // If the first slip comes before the whole load acts (at a factor `after` below 1), the size of the whole load follows: "8 N of 10 N".
         let of_whole = match one.filter(|_| after < 1.0) {
             Some(whole) => format!(" of {} N", words.number(whole)),
             None => String::new(),
@@ -122,9 +122,9 @@ impl Improved<3> {
         clauses.join("; ")
     }
 
-    /// The clause about the commands of the contacts in `pressed`: "both `pressed_with` 10 N (at rest 9.6 N)". Its numbers are the field
-    /// `pressed_with` for the scene, and the normal force at rest, which differs if the object gives way. `None` without such contacts, or for more
-    /// than [`MOST_NAMES`] contacts whose values differ.
+    /// The clause about the commands of the contacts in `pressed`: "both `pressed_with` 10 N (at rest 9.6 N)". Its numbers are the value to enter in
+    /// the field `pressed_with` of the scene, and the normal force at rest. The two differ if the object gives way. `None` without such contacts, or
+    /// for more than [`MOST_NAMES`] contacts whose values differ.
     fn pressed_text(&self, pressed: &[&Placed<3>], words: Words) -> Option<String> {
         let largest = largest(&self.contacts, &|placed| placed.normal_force);
         let values = mapped(pressed, &|placed| placed.press_text(largest, words));

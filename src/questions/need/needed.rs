@@ -3,9 +3,9 @@
 //! amount is sufficient. The bound is the least or greatest sufficient amount. At rest means under the loads that act before the loads of the
 //! question.
 //!
-//! Easier amounts are larger if the least amount is sought, smaller if the greatest is sought; harder amounts are the opposite. The far end is the
-//! last sufficient amount on the easier side of the bound. A scan tries further amounts on both sides of a bound that is already found. A safe amount
-//! is sufficient also with less friction and squeeze, or with larger loads.
+//! Easier amounts are larger if the least amount is sought, smaller if the greatest is sought; harder amounts are smaller in the first case and
+//! larger in the second. The far end is the last sufficient amount on the easier side of the bound. A scan tries further amounts on both sides of a
+//! bound that is already found. A safe amount is sufficient also with less friction and squeeze, or with larger loads.
 
 use super::answer::{Amount, Needed, Quantity};
 use super::checked_need::{CheckedNeed, SafetyDeviations, Sought};
@@ -164,8 +164,9 @@ fn amount(tried: &TrialRecord<'_>, demand: Demand, look: SearchExtent) -> Result
     let whole = |amount: f64| tried.at(amount, demand, false);
     let quick = |amount: f64, short: bool| tried.quick(amount, demand, short);
     let learns = matches!(need.loads, Loads::AnyForce { .. });
-    // For a force of any direction, a full trial of one amount computes fifty to some hundreds of verdicts, one for each direction tried. The short
-    // trial is then a quick one, only in directions that are known to be weak.
+    // A short trial follows load paths only up to the loads of the question. For a force of any direction, even a full trial of one amount computes
+    // fifty to some hundreds of verdicts, one for each direction tried. The short trial is then a quick trial, and only in directions that are known
+    // to be weak.
     let short = |amount: f64| if learns { quick(amount, true) } else { tried.at(amount, demand, true) };
     let rests_otherwise = |one: f64, other: f64| tried.rests_otherwise(one, other);
     let rest_ends = |sufficient: f64, insufficient: f64| tried.rest_ends(sufficient, insufficient);
@@ -206,8 +207,9 @@ fn amount(tried: &TrialRecord<'_>, demand: Demand, look: SearchExtent) -> Result
 }
 
 /// The answer if no amount of `vain`, the amounts tried with their results, is sufficient. Without the proof `proof` one undecided trial makes the
-/// answer undecided. Otherwise the amount `best` of the answer is the first amount with which most of the load is carried. With a proof the answer
-/// states that all amounts within `limits` are excluded.
+/// answer undecided. Otherwise the amount `best` of the answer is the amount with which the largest part of the load is carried, the first of several
+/// such amounts. If the object moves too far already at rest, it is the amount with the smallest motions. With a proof the answer states that all
+/// amounts within `limits` are excluded.
 pub(super) fn nothing_suffices(vain: Vec<(f64, Trial)>, limits: [f64; 2], proof: Option<&Range>) -> Amount {
     let (is_proved, at_rest) = (proof.is_some(), proof.is_some_and(|range| range.is_empty_at_rest));
     let amounts = || vain.iter().map(|(amount, _)| *amount);

@@ -12,12 +12,13 @@ use crate::numerics::mapped;
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::prelude::*;
 
-/// The normal force of each contact with the squeeze (or the overlaps) multiplied by `squeeze`, N, and the names of the joints and tendons whose
-/// drives are at their limit.
+/// Two lists for a grasp whose squeeze (or overlaps) are multiplied by `squeeze`. The first has the normal force of each contact, N; the second has
+/// the names of the joints and tendons whose drives are at their limit.
 ///
-/// The forces are those without any load. The forces under the load at rest replace them in two cases: no equilibrium without load is known, or in
-/// this equilibrium none of the contacts with a command, force or vacuum of its own presses. If neither equilibrium is known, the answer depends on
-/// these contacts. If each of them has a given constant force, these forces are returned; otherwise the list is empty.
+/// The forces are those without any load. The forces under the load at rest replace them in two cases. In the first case no equilibrium without load
+/// is known. In the second case no contact with a command, force or vacuum of its own presses in that equilibrium. If neither equilibrium is known,
+/// the contacts with a command, force or vacuum of their own decide. If each of these contacts has a given constant force, these constant forces are
+/// returned; otherwise the list is empty.
 pub(super) fn presses(
     grasp: &Grasp<3>,
     squeeze: f64,

@@ -14,7 +14,7 @@ use crate::numerics::Each;
 use crate::prelude::*;
 
 /// The relative widths at which a bracket is narrow enough, as pairs: a number of steps, and the width that is enough from this step on. Widths grow
-/// with the number of steps, because rounding or a jump of the carried part of the load can keep the two amounts apart.
+/// with the number of steps, because rounding or a jump of the carried part of the load can keep the two amounts of the bracket apart.
 pub(super) type WidthSchedule = &'static [(usize, f64)];
 
 /// A bracket of the bound of the sufficient amounts: a sufficient amount, and a neighbouring insufficient one with its trial.
@@ -50,10 +50,10 @@ impl Threshold {
     ) -> Result<Self, Error> {
         let mut presumed = self.clone().by(tries, true, (sufficient, enough))?;
         let mut here = tries.at(presumed.sufficient)?;
-        // Quick trials give the `presumed` bracket. With a force of any direction, a full trial may find a direction in which the sufficient amount
-        // of that bracket is insufficient. Later quick trials include this direction, and each further direction changes the bound less. Therefore an
-        // amount nearer to the sufficient end of the given bracket, by the fraction [`AT_A_JUMP`] (1e-6), is tried, too. If this amount is
-        // sufficient, it is the answer.
+        // The bracket `presumed` was found with quick trials. With a force of any direction, a full trial may find a direction in which the
+        // sufficient amount of `presumed` is insufficient. Later quick trials include this direction, and each further direction changes the bound
+        // less. Therefore the amount `easier` is tried, too. It is nearer to the sufficient amount of the bracket `self` by the fraction
+        // [`AT_A_JUMP`] (1e-6). If `easier` is sufficient, it is the answer.
         let mut enough = enough;
         for _ in 0..6 {
             if !tries.learns || !matches!(here, Trial::Insufficient { .. }) {
@@ -143,7 +143,8 @@ impl Threshold {
                 break;
             }
             // If the second measure guides the next trial, or the carried part at the insufficient end is unknown, load paths end at the whole load
-            // (`short`). Otherwise they are followed up to the loss, whose load factor is the carried part: the first measure needs it.
+            // (`short`). Otherwise they are followed up to the load factor at which equilibrium is lost. This load factor is the carried part, which
+            // the first measure needs.
             let is_guided = bracket.which == 1 && bracket.fall().is_some();
             let short = is_guided || bracket.edge.insufficient.1.carried().is_none();
             let (at, now) = if presumes {
@@ -265,7 +266,8 @@ impl Narrowing {
     }
 
     /// The next amount to try. It lies next to the amount at which the measure in use (a number that vanishes at the bound) is predicted to vanish.
-    /// Otherwise it is near the amount at which contacts at rest are predicted to leave their states, or in the middle of the bracket.
+    /// Without such a prediction it is near the amount at which contacts at rest are predicted to leave their states. Without either prediction it is
+    /// the middle of the bracket.
     fn next(&mut self, tries: &TrialFunctions<'_>, (step, is_slow, halves): (usize, bool, bool)) -> f64 {
         let (from, to, width) = (self.edge.sufficient, self.edge.insufficient.0, self.width());
         let is_used = !(halves || step >= 3 && is_slow && self.kept.is_none());
@@ -299,8 +301,8 @@ impl Narrowing {
         (over - under >= ROUNDING).then(|| root.unwrap_or_else(secant))
     }
 
-    /// The amount at which contacts at rest are predicted to leave their states. It is moved towards an end of the bracket by the estimated error of
-    /// the prediction.
+    /// The amount at which contacts at rest are predicted to leave their states. The prediction is moved towards an end of the bracket by its own
+    /// estimated error.
     fn where_rest_ends(&mut self, tries: &TrialFunctions<'_>) -> Option<f64> {
         let (from, to) = (self.edge.sufficient, self.edge.insufficient.0);
         let is_near = |at: f64, end: f64| (at - end).abs() <= NEAR_A_PREDICTION * end.abs();
@@ -319,7 +321,8 @@ impl Narrowing {
         next.map(|at| moved(at).clamp(from.min(to), from.max(to)))
     }
 
-    /// Notes the result of a trial. If the same end of the bracket moves twice, the next trial keeps a larger distance from both ends.
+    /// Notes the result `trial` of the amount `at`, to which one end of the bracket moves. If the same end moves twice, the next trial keeps a larger
+    /// distance from both ends. If `forgets` is true, the end that moved is not remembered.
     fn moved_by(&mut self, at: f64, trial: &Trial, forgets: bool) {
         let side = usize::from(!trial.is_sufficient());
         self.push[0] = if self.kept == Some(side) { 16.0 * self.push[0] } else { self.push[1] };
@@ -356,8 +359,8 @@ impl BracketEnd {
 /// The amount at which a margin vanishes, extrapolated from two or three amounts, each with its margin, the nearest amount first. `None` unless the
 /// margin decreases towards zero.
 ///
-/// The amount is a linear or quadratic function of the margin. Near a fold, where an equilibrium ends, the margin changes like a square root: the
-/// function then has its extreme value at the fold, before the margin vanishes.
+/// The amount is a linear or quadratic function of the margin. Near a fold, where an equilibrium ends, the margin changes like a square root of the
+/// distance. The amount, as a function of the margin, then has its extreme value at the fold, before the margin vanishes; this amount is returned.
 pub(super) fn where_it_vanishes(points: [Option<(f64, f64)>; 3]) -> Option<f64> {
     let [(x0, m0), (x1, m1)] = [points[0]?, points[1]?];
     let falls = |now: f64, then: f64| now * then > 0.0 && now.abs() < then.abs();
@@ -387,8 +390,8 @@ fn signs_differ(sides: &[BracketEnd; 2], which: usize) -> Option<[f64; 2]> {
 /// bound than necessary.
 const APART_WHERE_HARD: [f64; 3] = [1e-4, 1e-3, 1e-1];
 
-/// The width at which a bracket is narrow enough while full trials still find weaker directions of a force, in which less of it is carried. If
-/// narrower, trials are spent on directions that do not change the answer; if wider, the width shows in the answer.
+/// The width at which a bracket is narrow enough while full trials still find weaker directions of a force (directions in which less of the force is
+/// carried). If narrower, trials are spent on directions that do not change the answer; if wider, the width shows in the answer.
 const WHERE_DIRECTIONS_ARE_FOUND: WidthSchedule = &[(0, AT_A_JUMP)];
 
 /// Relative distances from the bound at which full trials are made in the plane, and in space if quick trials next to the bound are decided. The

@@ -30,8 +30,8 @@ pub(super) const SAME_COEFFICIENT: f64 = 1e-10;
 /// proved end. Without them both trials next to an inaccurate end would be on the same side of the bound of the sufficient amounts.
 pub(super) const NEAR_AN_END: [f64; 3] = [4e-13, 1e-8, 1e-5];
 
-/// Ratio of successive amounts in a search that tries easier amounts only, in wide steps. In a search for an insufficient amount beyond a sufficient
-/// one, the ratio of the first two amounts; the ratio of later steps grows by this factor.
+/// A search that tries easier amounts only, in wide steps, has this ratio of successive amounts. A search for an insufficient amount beyond a
+/// sufficient one begins with this ratio; from step to step the ratio grows by this factor.
 ///
 /// A bracket whose ends have a larger ratio is halved in logarithms, since arithmetic means approach the smaller end slowly.
 pub(super) const FAR_APART: f64 = 4.0;
@@ -46,8 +46,8 @@ pub(super) const FAR_FROM_START: f64 = (1u32 << NEAR_DOUBLINGS) as f64;
 /// The small steps of the search end after this many doublings, at [`FAR_FROM_START`].
 pub(super) const NEAR_DOUBLINGS: u32 = 4;
 
-/// Two tried amounts that are nearer to each other than this relative distance are counted as one amount in the number of tried amounts that an
-/// answer contains.
+/// An answer states how many amounts were tried. Tried amounts that are nearer to each other than this relative distance count as one amount in this
+/// number.
 ///
 /// If smaller, amounts that only narrow a bracket are counted as well, and the tried amounts seem closer together than they are.
 pub(super) const APART_IN_A_SCAN: f64 = 1e-2;
@@ -79,7 +79,7 @@ pub(super) const SECOND: WidthSchedule = &[(0, 2e-12), (5, 1e-8)];
 /// trials.
 pub(super) const BESIDE_A_BOUND: WidthSchedule = &[(0, 1e-10), (16, 1e-8), (20, 1e-4)];
 
-/// Upper limit of the ratio of a tried amount to the first amount of the search, and of the first amount to a tried one.
+/// No amount is tried that is more than this number of times larger or smaller than the first amount of the search.
 ///
 /// If the load is sought, load paths are followed up to this multiple. If larger, a search without a sufficient amount takes longer.
 pub(super) const MOST_LOADS: f64 = (1u32 << 20) as f64;
@@ -130,14 +130,14 @@ pub(super) const NEAR_THE_START: usize = 3;
 /// If a greatest amount is sought, amounts far below the bound are tried, too. They are the bound, or the first amount of the search if that is
 /// smaller, divided by these numbers. For example, a force beside the fingers may turn the object out with an arm that is far shorter than the grasp.
 ///
-/// Without these amounts, the least arm that suffices is missed if it is very short. Each costs a verdict.
+/// Without these amounts the search misses that very short arms are insufficient. Each costs a verdict.
 pub(super) const TOWARDS_ZERO: [f64; 3] = [16.0, 256.0, 65536.0];
 
 /// An interval of sufficient amounts is narrow if its ends differ by less than this fraction. If there is a wider interval, the bound in the answer
 /// is an end of a wider one.
 ///
-/// If smaller, the answer may be an amount whose neighbours on both sides are insufficient. If larger, an interval that a user could set is passed
-/// over.
+/// If smaller, the answer may be an amount whose neighbours on both sides are insufficient. If larger, the search passes over an interval that is
+/// wide enough for a user to set an amount in it.
 pub(super) const NARROW: f64 = 0.01;
 
 /// The bound of the safe amounts may be easier than the first amount of the search, such as more squeeze or less load. A scan around this bound is
@@ -146,7 +146,8 @@ pub(super) const NARROW: f64 = 0.01;
 /// If smaller, most safe amounts take the trials of a scan. If larger, an interval of sufficient amounts that the search stepped over stays unseen.
 pub(super) const STEPPED_OVER: f64 = 1.25;
 
-/// Coefficient of friction up to which the search asks whether more friction fails; few surfaces have more.
+/// In a search for friction this coefficient is tried, too, if it is larger than the least sufficient one: a wedge may fail with more friction. Few
+/// surfaces have more friction.
 ///
 /// If smaller, a wedge is said to hold although it fails with the real friction, which may be larger than that of the scene. If larger, the search
 /// more easily steps over an interval of insufficient amounts between the scene's coefficient and this one.

@@ -1,8 +1,8 @@
 //! The stiffness matrix of the object if every contact sticks, `T = Σ G_i K_i G_iᵀ` with the grasp map G_i and stiffness K_i of contact i,
 //! factorised.
 //!
-//! With one tangential stiffness per contact, `K_i = k_t I + (k_n - k_t) n nᵀ` in coordinate axes. A block holds as many grasps as a vector has
-//! numbers, one in each lane.
+//! A contact has the unit normal n, the normal stiffness k_n and one tangential stiffness k_t. In coordinate axes thus `K_i = k_t I + (k_n - k_t) n
+//! nᵀ`. A block holds as many grasps as a vector has numbers, one in each lane.
 
 use super::block::{Block, Layout, count, entries};
 use super::factors::LaneFactors;

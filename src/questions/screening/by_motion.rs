@@ -1,11 +1,12 @@
-//! Contact forces while every contact sticks, computed from the motion of the object. This is the method for pairs in space, and for three and more
-//! contacts except the triangles that [`Method::Edges`](super::method::Method::Edges) covers. A lane is the place of one grasp in a SIMD vector,
+//! Contact forces while every contact sticks, computed from the motion of the object. This is the method for grasps of two contacts in space, and of
+//! three or more contacts unless [`Method::Edges`](super::method::Method::Edges) covers them. A lane is the place of one grasp in a SIMD vector,
 //! whose numbers are computed side by side.
 //!
 //! First the commands (displacements that the fingers would make without the object) stretch the springs with the object held in place. Then the
-//! object is released and moves by `q = T⁻¹ w`, with the stiffness matrix T and the wrench w that was not balanced. If stiffnesses differ much, T
-//! loses the contribution of the soft contacts. The balance of forces shows the loss, and the step is repeated for the residual. Forces that satisfy
-//! both the balance and the spring law are right, however inaccurate T is.
+//! object is released and moves by `q = T⁻¹ w`, with the stiffness matrix T. The wrench w is the sum of the load and of the spring forces on the
+//! object before this motion. If stiffnesses differ much, T loses the contribution of the soft contacts. The resulting forces then do not balance the
+//! load. The residual becomes w, and the motion is computed again. Forces that satisfy both the balance and the spring law are right, however
+//! inaccurate T is.
 
 use super::balance::RigidBody;
 use super::block::{Block, Commanded, Layout, MOST_SCREENED, entries};
@@ -100,8 +101,8 @@ fn let_go<const C: usize, X: Packed>(
     let (mut left, mut part) =
         if commands.is_some() { body.unbalanced(block, contacts, load) } else { (*load, zero) };
     let mut moved = [zero; 6];
-    // One refinement is enough unless stiffnesses differ very much. If forces are still unbalanced after three refinements, the answer for this grasp
-    // is undecided.
+    // One refinement (a repetition for the residual) is enough unless stiffnesses differ very much. If forces are still unbalanced after three
+    // refinements, the answer for this grasp is undecided.
     let most_times = 3;
     for time in 0..=most_times {
         let q = body.motion(&left);
@@ -122,8 +123,8 @@ fn let_go<const C: usize, X: Packed>(
         if time == most_times || improvable.is_all(0.0) {
             break;
         }
-        // For grasps whose relative imbalance of forces is at most `IMPROVABLE`, the residual is set to zero. Thus their answers do not depend on the
-        // grasps in neighbouring lanes.
+        // Refinement goes on until no lane can be improved. For grasps whose relative imbalance of forces is at most `IMPROVABLE` already, the
+        // residual is set to zero. Thus the number of refinements that grasps in other lanes need does not change their answers.
         for entry in &mut left {
             *entry = improvable.above(zero, *entry, zero);
         }

@@ -98,8 +98,9 @@ impl<const C: usize, X: Packed> LeavingEdge<C, X> {
         }
     }
 
-    /// The derivatives of the margin with respect to the contact force, in the form of commands of the fingers. The caller solves the springs once
-    /// more with these commands. By reciprocity, the resulting contact forces are the derivatives of the margin with respect to the given commands.
+    /// The derivatives of the margin with respect to the contact force, in the form of commands of the fingers. The caller solves the springs a
+    /// second time, with these commands and no load. By reciprocity, the resulting contact forces are the derivatives of the margin with respect to
+    /// the commands of the grasp.
     #[inline(always)]
     pub(super) fn probe(&self, contacts: usize) -> Commanded<'_, C, X> {
         let contacts = count(contacts);

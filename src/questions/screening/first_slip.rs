@@ -1,5 +1,5 @@
-//! The first slip of one grasp: the load factor at which the first contact stops sticking, or a negative code if there is no first slip, with the
-//! verdict that belongs to it. Screening computes first slips for many grasps. The base load acts at load factor 0.
+//! The first slip of one grasp: the load factor at which the first contact stops sticking. If screening has no such load factor, a negative code
+//! replaces it; each code belongs to a verdict. Screening computes first slips for many grasps. The base load acts at load factor 0.
 
 use core::fmt;
 
@@ -66,7 +66,7 @@ impl SlipCode {
     }
 
     pub(super) fn holds_up_to(self, factor: f64) -> bool {
-        // The codes for other verdicts are negative.
+        // Codes of verdicts without a load factor are negative, thus smaller than any allowed `factor`. The code of `Never` is infinite.
         factor >= 0.0 && factor <= self.code
     }
 

@@ -1,8 +1,8 @@
 //! The derivatives of the load factor at first slip with respect to all data of a grasp and the load, as a row of numbers. A contact leaves its cone,
 //! i.e. stops sticking, when its margin `α F_n - β |F_t|` vanishes. With friction α is the coefficient of friction and β = 1; for a contact that can
 //! only open α = 1 and β = 0. A command is the displacement that a finger would make without the object. The springs are solved a second time without
-//! a load. The command of the leaving contact is then the derivative of its margin with respect to its force. All derivatives follow from this second
-//! solution by the formulas of [`super::gradient`].
+//! a load. In this second solution only the contact that leaves its cone has a command: the derivative of its margin with respect to its force. All
+//! derivatives follow from the second solution by the formulas of [`super::gradient`].
 
 use super::answer_slots::AnswerSlots;
 use super::block::{Block, Layout, MOST_SCREENED, count, entries};
@@ -121,9 +121,9 @@ impl<const C: usize, X: Packed> Slopes<'_, C, X> {
             Method::Motions => [give(k_n), give(k_t)],
         };
         if const { C == 2 } && self.method == Method::Edges {
-            // If one of the two contacts in the plane has no friction, statics alone determines the contact forces. Commands then cause no forces,
-            // and the derivatives with respect to them are zero. Such a grasp is marked by a normal compliance of zero. Its forces P in the second
-            // solution serve only to compute the motion of the object.
+            // If a grasp of two contacts in the plane has a contact without friction, statics alone determines the contact forces. Commands then
+            // cause no forces, and the derivatives with respect to commands are zero. A normal compliance `k_n` of zero marks such a grasp. Its
+            // forces P in the second solution serve only to compute the motion of the object.
             let squeezes = k_n.above(zero, scale, zero);
             answered.normal = squeezes * answered.normal;
             for entry in &mut answered.tangential {

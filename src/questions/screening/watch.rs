@@ -21,8 +21,8 @@ use crate::error::{ContactLabel, Error, Field};
 use crate::grasp::Wrench;
 use crate::numerics::Vectors;
 
-/// The answer of [`Fingers::watch`] for measured contact forces of one grasp: their margins, the load factor of first slip under an expected load,
-/// and the extra squeeze (relative increase of all commands) that this load needs.
+/// The answer of [`Fingers::watch`] for measured contact forces of one grasp: their margins, and the load factor of first slip under an expected
+/// load. Also the extra squeeze (relative increase of all commands) that this load needs.
 #[derive(Clone, Copy, PartialEq)]
 pub struct Watched {
     margin: f64,

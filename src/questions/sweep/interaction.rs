@@ -1,7 +1,7 @@
 //! The interaction of errors of several data in their effect on a contact force. It is the change of the force if all data are in error at once, less
 //! the sum of the changes due to each datum alone. It is computed for each facet (plane side) of a friction cone, at the point of failure of the
-//! facet. At these smallest errors the force reaches the facet: its distance from the facet, the margin, vanishes (see [`margin`](super::margin)). A
-//! drive is a motor, clutch or tendon of a joint.
+//! facet. This point is the smallest set of errors with which the force reaches the facet, so that its margin (its distance from the facet) vanishes
+//! (see [`margin`](super::margin)). A drive is a motor, clutch or tendon of a joint.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -59,7 +59,7 @@ impl PerturbedGrasp {
             for z in &mut z {
                 *z = signs.sign();
             }
-            // The last error is that of friction, which does not change the force.
+            // The last entry of z is the error of friction. It does not change the forces, since the contact states are fixed.
             z.push(0.0);
             Probe { forces: self.forces(load, &z), z }
         };
@@ -90,10 +90,11 @@ impl PerturbedGrasp {
                 forces.map_or(SVector::zeros(), |forces| forces[i] - here.at(z))
             };
             let force = beyond(&margin.fails_at, self.forces(load, &margin.fails_at).as_deref());
-            // If the point of failure is nearer than one standard deviation, a division by its squared distance would only amplify rounding.
+            // The second derivative along the line to the point of failure is twice the interaction there, divided by the squared length of the line.
+            // If this length is below one standard deviation, the division would only amplify rounding.
             let bend = force * (2.0 / dot(&margin.fails_at, &margin.fails_at).max(1.0));
-            // C is the matrix of mixed second derivatives of a force component with respect to two different data; its diagonal is zero. For a vector
-            // v of random signs the mean square of `vᵀCv` is twice the sum of the squared entries of C.
+            // C is the matrix of mixed second derivatives of a force component with respect to two different data; its diagonal is zero. The entries
+            // of a probe `z` are random signs. For such a vector v the mean square of `vᵀCv` is twice the sum of the squared entries of C.
             let mut squares = SMatrix::zeros();
             for probe in probes() {
                 let twice = beyond(&probe.z, probe.forces.as_deref()) * 2.0;

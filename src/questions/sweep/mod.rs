@@ -2,8 +2,9 @@
 //! Also treats grasps with uncertain data. It draws random samples of them, and finds the load up to which all contacts stick with a number of
 //! standard deviations in reserve.
 //!
-//! Every item is computed independently by the same serial code. Threads (feature `parallel`, rayon's global pool) only share the items among them.
-//! Outside this module only the sums over very many contacts of one scene use threads; they give the same bits, too.
+//! Every item is computed independently by the same serial code. With the feature `parallel`, threads of rayon's global pool compute different items
+//! at the same time; no item is divided among threads. Outside this module only the sums over very many contacts of one scene use threads; they give
+//! the same bits, too.
 
 mod batch;
 mod contact_errors;

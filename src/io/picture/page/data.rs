@@ -16,7 +16,7 @@ impl Drawing<'_> {
     ///
     /// | key | meaning |
     /// |---|---|
-    /// | `view` | yaw and pitch at first |
+    /// | `view` | yaw and pitch of the view before the user turns it |
     /// | `centre`, `reach` | the centre of the grasp, and its distance from the farthest mark of all answers, m |
     /// | `force`, `shortest` | scale of forces, m/N; the least length of the arrow of a load, pixels |
     /// | `grey`, `face`, `contour` | colours of axes and scale, and of the object |

@@ -106,7 +106,8 @@ fn write_words(
     }
 }
 
-/// Writes a row for each contact. A soft fingertip has a row for its sums, and a row for each of its points, shown on request.
+/// Writes a row for each contact. A soft fingertip has a row for the sums over its points, and a row for each point; the rows of points are shown on
+/// request.
 fn write_rows(
     page: &mut String,
     grasp: &Grasp<3>,

@@ -24,8 +24,8 @@ pub(crate) struct Linkage {
     /// Reference lengths by which the displacements of joints and other bodies are multiplied, so that all coordinates are lengths. Entries of the
     /// object's coordinates are 1.
     pub(crate) lengths: Vector,
-    /// Motion of each contact with the coordinates after the object's, as pairs. A pair has the index of a coordinate, counted after the object's,
-    /// and the displacement of the contact along x, y and z per unit of this coordinate.
+    /// For each contact the coordinates of joints and other bodies that move it, as pairs. A pair has the index of a coordinate, counted from the
+    /// first one after the object's coordinates. It also has the displacement of the contact along x, y and z per unit of this coordinate.
     pub(crate) motions: Vec<Vec<(usize, SVector<f64, 3>)>>,
     /// Drives (springs of joints and tendons). The engine's list of sites holds all contacts, then these drives in the same order.
     pub(crate) drives: Vec<Drive>,
