@@ -72,8 +72,15 @@ impl Setup<3> {
     /// The warning that the grasp buckles at rest. `None` if it does not buckle, or if every answer already says so.
     pub(super) fn buckles_at_rest(&self, grasp: &Grasp<3>) -> Result<Option<Warning>, Error> {
         for question in &self.questions {
-            let says_itself =
-                matches!(question, Question::Hold { .. } | Question::Need(_) | Question::Follow { .. });
+            let says_itself = matches!(
+                question,
+                Question::Hold { .. }
+                    | Question::Need(_)
+                    | Question::Follow { .. }
+                    | Question::Shake { .. }
+                    | Question::Shakedown { .. }
+                    | Question::Improve(_)
+            );
             let base = at_rest(question);
             if says_itself || !grasp.engine.may_buckle(&base) {
                 continue;

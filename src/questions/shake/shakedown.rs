@@ -14,7 +14,7 @@ use nalgebra::{DMatrix, Matrix, SVector};
 use crate::contact::{Edges, PolygonCone, PolygonFit};
 use crate::equilibrium::{ContactForces, StickingResponse, TooFar};
 use crate::error::Error;
-use crate::grasp::{Engine, WholeContact, Wrench};
+use crate::grasp::{Engine, Site, WholeContact, Wrench};
 use crate::lcp::{self, quadratic_program};
 use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
 use crate::numerics::{
@@ -51,7 +51,8 @@ pub struct Shakedown<const C: usize> {
     /// Whether the round friction cones were replaced by polygons around them. The factor is then only an upper bound, even if slips change no normal
     /// force.
     pub around_the_round_cone: bool,
-    /// A slip in `slips` that is no longer [small](crate::Settings::small_motions); `None` if all are small.
+    /// Buckling under the base load or one of the loads while everything sticks, or else a slip in `slips` that is no longer
+    /// [small](crate::Settings::small_motions); `None` without either.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub too_far: Option<TooFar>,
 }
@@ -87,11 +88,11 @@ impl Engine {
     pub(crate) fn shakedown(
         &self,
         base: &Wrench<3>,
-        loads: &[Wrench<3>],
+        given: &[Wrench<3>],
         settings: &Settings,
     ) -> Result<Option<Shakedown<3>>, Error> {
         let at_rest = self.load_alone(base, "base load")?;
-        let loads: Vec<_> = tried(loads, &|load| self.inside(load, "load that repeats"))?;
+        let loads: Vec<_> = tried(given, &|load| self.inside(load, "load that repeats"))?;
         // Cones that contain the round cone are needed: only then is the greatest factor an upper bound.
         let around = PolygonCone::new(settings.cone.facets(), PolygonFit::Circumscribed)?;
         let cone = if settings.is_round(self.space()) { around } else { settings.cone };
@@ -138,7 +139,19 @@ impl Engine {
         let around_the_round_cone = settings.is_round(self.space());
         let limit = settings.small_motions.slip * self.size_of_grasp();
         let far = (0..self.len()).find(|i| residual_slips[*i].norm() > limit);
-        let too_far = far.map(|i| TooFar::Slips { contact: self.wholes().at(i).with(1), limit });
+        // Buckling is asked under the base load and under each load, while everything sticks.
+        let buckles = |of_load: Option<(&Vec<SVector<f64, 3>>, &Wrench<3>)>| {
+            let load = of_load.map_or(*base, |(_, load)| *base + *load);
+            let force = |(i, site): (usize, &Site)| {
+                site.frame * (rest.of[i] + of_load.map_or_else(SVector::zeros, |(under, _)| under[i]))
+            };
+            self.may_buckle(&load) && self.buckles(&indexed(self.sites(), &force), &|_| false, &load)
+        };
+        let too_far = if buckles(None) || under.iter().zip(given).any(|pair| buckles(Some(pair))) {
+            Some(TooFar::Buckles)
+        } else {
+            far.map(|i| TooFar::Slips { contact: self.wholes().at(i).with(1), limit })
+        };
         Ok(Some(Shakedown {
             factor,
             slips: residual_slips,

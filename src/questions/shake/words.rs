@@ -185,14 +185,15 @@ fn moves<const C: usize>(words: Words, by: &[BodyMotion<C>]) -> String {
 
 impl<const C: usize> fmt::Display for Shakedown<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let Some(far) = &self.too_far {
+            let with = if *far == TooFar::Buckles { "" } else { " with these slips" };
+            write!(f, "{}{with}: {}. Otherwise ", LossVerb::from(far), far.reason(Words::of(f)))?;
+        }
         if self.factor.is_infinite() {
             return f.write_str(match self.rests(1.0) {
                 Some(_) => "RESTS in whichever order they come, however large they are",
                 None => "MAY COME TO REST, however large they are: their order decides",
             });
-        }
-        if let Some(far) = &self.too_far {
-            write!(f, "{} with these slips: {}. Otherwise ", LossVerb::from(far), far.reason(Words::of(f)))?;
         }
         let times = Words::of(f).number(self.factor);
         match self.rests(1.0) {
