@@ -73,8 +73,8 @@ pub(super) fn follow<const C: usize>(
     let (mut tau, mut factor, mut made) = (begin * energy, 1.0, 0);
     // Factor of τ between the first two points of the path; later factors adapt to the number of Newton steps.
     let slow = 0.2;
-    // The path ends where τ is 1e-16 of the mean energy of a contact, near the relative working precision. The factor of τ moves towards 1 whenever
-    // Newton's method fails. Once it exceeds 0.9, Newton's method has lost the path.
+    // The path ends where τ is 1e-16 times `energy`, the mean of ‖r_i‖² / ρ_i at the start; 1e-16 is near the working precision. The factor of τ
+    // moves towards 1 whenever Newton's method fails. Once the factor exceeds 0.9, Newton's method has lost the path.
     while tau * factor > 1e-16 * energy && (factor < 0.9 || factor == 1.0) {
         let smoothed = Smoothed { problem, blocks, rho: &rho, tau: tau * factor };
         // A point counts as on the path if the root mean square of its residuals is below this fraction of √τ. If smaller, Newton steps are made
@@ -195,8 +195,8 @@ fn projection<const C: usize>(x: &SVector<f64, C>, width: f64) -> (SVector<f64, 
     (projected, change)
 }
 
-/// The smoothed positive part φ(x), with the product ρ τ as `width` (see the top of the file). The second form avoids cancellation, so that
-/// small values of φ are accurate, too.
+/// The smoothed positive part φ(x), with the product ρ τ as `width` (see the top of the file). For negative x a second form of φ
+/// avoids cancellation, so that small values of φ are accurate, too.
 fn smoothed(x: f64, width: f64) -> f64 {
     let root = (x * x + 4.0 * width).sqrt();
     if x >= 0.0 { 0.5 * (x + root) } else { 2.0 * width / (root - x) }

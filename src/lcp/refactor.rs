@@ -1,5 +1,7 @@
 //! Recomputation of dictionaries from M, q and d of w = q + M z + d z₀: measurement of drift by rounding, refactorisation of the current basis, and
-//! factorisation of another basis. A dictionary is the condensed tableau of one basis. d is the covering vector, z₀ the covering variable.
+//! factorisation of another basis. A dictionary is the condensed tableau of one basis. d is the covering vector, z₀ the covering variable. Rows and
+//! columns of M are balanced: scaled by factors, powers of two, so that nonzero entries lie near 1. A perturbation p breaks ties of the ratio test as
+//! if the right-hand side were q + ε p with ε → 0+.
 
 use super::dictionary::{LemkeVariable, largest};
 use super::memory::refill;
@@ -71,8 +73,8 @@ impl LemkePath {
         Ok(())
     }
 
-    /// Computes from M, q and d the dictionary in which the variables `members` are basic and the slacks of the rows `leaving` are nonbasic. The
-    /// error is [`BreakdownCause::SingularBasis`], if a pivot does not exceed its rounding error.
+    /// Computes from M, q and d the dictionary in which the variables in the field `members` are basic. The slacks of the rows in the field `leaving`
+    /// are nonbasic, all other slacks basic. The error is [`BreakdownCause::SingularBasis`], if a pivot does not exceed its rounding error.
     fn install(&mut self, m: &[f64]) -> Result<(), BreakdownCause> {
         self.start_from_slacks();
         for member in 0..self.members.len() {
@@ -127,14 +129,14 @@ impl LemkePath {
         refill(&mut self.d, n, 0.0);
         let mut violated = false;
         for row in 0..n {
-            // `unit` is the entry of the column of z₀ in a violated row. With exact balancing factors it would be 1. The factors are rounded to
-            // powers of two; the entry is corrected by this rounding and lies between 1/√2 and √2.
+            // `unit` is the entry of the column of z₀ in a violated row. It would be 1 if rows and columns were balanced by exact factors. Since the
+            // factors are rounded to powers of two, `unit` corrects this rounding, and lies between 1/√2 and √2.
             let unit = match dictionary.basic[row] {
                 LemkeVariable::W(i) => self.scaling.row_unit[i],
                 LemkeVariable::Z(j) => self.scaling.column_unit(j),
                 LemkeVariable::Covering => 1.0,
             };
-            // The perturbation p of a row is chosen by the row's basic variable, not by the row's position, which depends on rounding.
+            // The entry of the perturbation p in a row is chosen by the row's basic variable, not by the row's position, which depends on rounding.
             dictionary.p[row] = unit * generic(index(dictionary.basic[row], n));
             dictionary.u[row] = 0.0;
             if dictionary.x[row] >= -noise * dictionary.term_sizes[row] {
@@ -159,7 +161,7 @@ impl LemkePath {
     }
 
     /// Makes z₀ the parameter of the right-hand sides q + z₀ d and computes the column of z₀. The caller gives the vector d in the units of the
-    /// rows of M.
+    /// caller's M, before its rows are balanced.
     pub(super) fn start_parameter(&mut self, d: &[f64], m: &[f64]) {
         self.d.clear();
         self.d.extend(d.iter().zip(&self.scaling.row).map(|(d, row)| d * row));
@@ -167,8 +169,8 @@ impl LemkePath {
         self.dictionary.enter(LemkeVariable::Covering, m, &self.scaling);
     }
 
-    /// Computes the dictionary of the complementary basis in which z_i is basic if `active(i)`, otherwise w_i. An error means that the basis is
-    /// singular.
+    /// Computes the dictionary of a complementary basis: of each pair, z_i is basic if `active(i)` is true, otherwise w_i. An error means that the
+    /// basis is singular.
     pub(super) fn install_basis(
         &mut self,
         m: &[f64],

@@ -132,5 +132,6 @@ pub(super) const BOUND_ROUNDING: f64 = 1e-14;
 
 /// Magnitude of the terms of a row below which products may have underflowed or lost digits. Such rows are summed again without rounding.
 ///
-/// It is 2¹¹⁴ times the smallest double, so the errors in larger rows are negligible. With a larger limit, more rows are summed twice.
+/// It is 2¹¹⁴ times the smallest double, so that underflow of a product is negligible in rows with larger terms. With a larger limit, more rows are
+/// summed twice.
 pub(super) const FAINT_ROW: f64 = 1.03e-289;

@@ -1,4 +1,4 @@
-//! Angles at which `N(φ) - |v(φ)|` is negative, for a harmonic number N and a harmonic vector v, `x₀ + x_c cos φ + x_s sin φ`.
+//! Angles φ at which `N(φ) - |v(φ)|` is negative. The number N and the vector v are functions `x₀ + x_c cos φ + x_s sin φ` of the angle.
 //!
 //! No such angle exists if and only if neither N nor `N² - |v|²`, a trigonometric polynomial of degree two, is ever negative.
 
@@ -51,10 +51,10 @@ impl<const C: usize> Turning<C> {
     }
 
     /// The angle of the local minimum of N - |v|, with the number N and the vector v, that a descent from the angle `start` reaches. The angle lies
-    /// between 0 and `most`. If `most` is a full turn, it may lie outside, since all angles are then allowed.
+    /// between 0 and `most`. Only if `most` is a full turn may the angle lie outside, since all angles are then allowed.
     fn least_near(&self, start: f64, most: f64) -> f64 {
         let within = |angle: f64| if most < TAU { angle.clamp(0.0, most) } else { angle };
-        // First step of the search for the minimum, rad.
+        // First step of the descent, rad. Steps are doubled until N - |v| increases, and the minimum is then sought between the last three angles.
         let first_step = 1e-3;
         let way = if self.value(within(start + first_step)) <= self.value(within(start - first_step)) {
             1.0

@@ -111,7 +111,7 @@ fn rotate(columns: &mut DMatrix<f64>, i: usize, j: usize, tangent: f64) {
     }
 }
 
-/// The eigenvalues of a symmetric matrix, from the largest to the smallest, with their unit vectors as columns.
+/// The eigenvalues of a symmetric matrix, from the largest to the smallest, and unit eigenvectors as columns in the same order.
 pub(crate) fn symmetric_eigen(matrix: &DMatrix<f64>) -> (Vec<f64>, DMatrix<f64>) {
     // No eigenvalue exceeds the largest sum of absolute values along a row. With this sum added to the diagonal no eigenvalue is negative, so
     // that eigenvalues are singular values.

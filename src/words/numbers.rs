@@ -14,7 +14,8 @@ use crate::prelude::*;
 /// Default number of significant digits.
 const DEFAULT_DIGITS: usize = 6;
 
-/// When numbers are rounded up or down, a number within this fraction of a decimal is still written as this decimal.
+/// When numbers are rounded up or down, a number that differs from a decimal with the written number of digits by less than this fraction is still
+/// written as that decimal.
 ///
 /// If smaller, an exact 4 N that was computed as 4.00000001 N is written as 4.00001 N. If larger, a written limit exceeds the computed one by more.
 const ROUNDING: f64 = 1e-8;
@@ -36,7 +37,7 @@ pub struct Words {
     digits: usize,
     /// Whether vectors that are stored with three components belong to the plane or to space.
     space: Space,
-    /// Unit of lengths, points and arms; in metres short lengths are written in mm.
+    /// Unit of lengths, points and arms. If it is the metre, lengths below 0.1 m are written in mm.
     unit: Unit,
     rounding: Rounding,
 }
@@ -62,7 +63,7 @@ impl Words {
         Self { digits: digits.clamp(1, 17), ..Self::default() }
     }
 
-    /// The same format with lengths, points and arms in this unit. In metres lengths below 0.1 m are written in mm.
+    /// The same format with lengths, points and arms in this unit. If the unit is the metre, lengths below 0.1 m are written in mm.
     pub fn in_unit(self, unit: Unit) -> Self {
         Self { unit, ..self }
     }
@@ -80,12 +81,12 @@ impl Words {
         Self { digits: Self::with_digits(digits).digits, ..self }
     }
 
-    /// The same format with numbers rounded up, for needed amounts: the amount in words suffices, too.
+    /// The same format with numbers rounded up. It is used for needed amounts: the amount as it is written then suffices, too.
     pub(crate) fn upwards(self) -> Self {
         Self { rounding: Rounding::Up, ..self }
     }
 
-    /// The same format with numbers rounded down, for limits: the limit in words is held, too.
+    /// The same format with numbers rounded down. It is used for largest loads: the load as it is written is then held, too.
     pub(crate) fn downwards(self) -> Self {
         Self { rounding: Rounding::Down, ..self }
     }

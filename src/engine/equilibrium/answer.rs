@@ -158,8 +158,8 @@ impl<const C: usize> Equilibrium<C> {
         Self { work, local: LocalAnswer::default(), ..self }
     }
 
-    /// Whether the answer still has the engine's solution `local` of a grasp with `sites` contacts and drives together. Without it calls that start
-    /// from the answer, such as `accuracy`, return `None`.
+    /// Whether the answer still has the engine's solution `local`, and that solution belongs to a grasp with `sites` contacts and drives in total.
+    /// Without `local`, calls that start from the answer, such as `accuracy`, return `None`.
     pub(crate) fn knows_all_of(&self, sites: usize) -> bool {
         self.local.states.len() == sites && self.contacts.len() + self.local.drive_forces.len() == sites
     }

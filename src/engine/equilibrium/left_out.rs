@@ -59,7 +59,7 @@ impl Engine {
     /// stick, and K_g the geometric stiffness of the contact forces.
     ///
     /// `None` if the size of the fraction is below a half. `None` also for a grasp of so many coordinates that it is solved with band matrices.
-    /// Struts between two bodies are treated as if they were infinitely long.
+    /// Cables and springs between two bodies are treated as if they were infinitely long, so that their forces keep their directions.
     pub(crate) fn taken_by_forces(&self, there: &Equilibrium<3>, load: &Wrench<3>) -> Option<f64> {
         let (mut stable, mut unstable) = (0.0, 1.0 / LEAST_TAKEN);
         let stiffness =
@@ -190,8 +190,8 @@ impl Engine {
     }
 
     /// The symmetric matrix M of a body's rotation θ with `θ·Mθ = Σ [(F·r) |θ|² - (F·θ)(r·θ)]`, N m. F are the contact forces on the body and the
-    /// forces of `load`, if their points are known. The arms r are about `centre`. In the plane θ is along the third axis, in which forces and arms
-    /// are zero.
+    /// forces of `load`, if their points are known. The arms r are about `centre`. In the plane θ is along the third axis, and forces and arms have
+    /// no component along this axis.
     fn stiffness_of_arms(
         &self,
         body: usize,

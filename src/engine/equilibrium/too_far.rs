@@ -94,7 +94,8 @@ impl fmt::Display for TooFar {
 }
 
 impl TooFar {
-    /// Whether this is a motion beyond its limit. False for buckling and for a leak: these end what the grasp holds, however small motions are.
+    /// Whether this is a motion beyond its limit. False for buckling and for the leak of a suction cup: with either the grasp fails even if all
+    /// motions are small.
     pub(crate) fn is_motion(&self) -> bool {
         !matches!(self, Self::Buckles | Self::Leaks { .. })
     }
@@ -140,7 +141,7 @@ impl TooFar {
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct CountedMotion {
     /// The vector of the rotation (rad) or slip (m). For the rotation of a joint and for an opening (m), only the first component is used. An opening
-    /// is positive if the surfaces have moved apart; only then is it a motion.
+    /// is positive if the surfaces have moved apart; a negative opening is never too large.
     pub(crate) shift: SVector<f64, 3>,
     /// Upper limit of the length of a small motion, rad or m.
     pub(crate) limit: f64,

@@ -27,7 +27,8 @@ pub enum DepartingPart {
 /// contact is m = `μ F_n - |F_t|`, N (F_n if the contact opens), and m' is its rate along the ramp. If a datum changes, the margin at constant τ
 /// changes by dm, and τ by `dτ = -dm / m'`. For a load that turns, τ is the angle of the onset.
 ///
-/// A change of a point or a normal moves or turns the contact frame, and thus changes the grasp map. With contact stiffness K, motion q and forces F:
+/// A change of a point or a normal moves or turns the contact frame, and thus changes the grasp map. Let contact i have the stiffness K_i, the grasp
+/// map G_i and the force F_i, and let q be the motion of the object:
 ///
 /// ```text
 /// dF_i = -K_i (G_iᵀdq + dG_iᵀq),      Σ (G_i dF_i + dG_i F_i) = 0
@@ -105,7 +106,7 @@ impl<'g> OnsetMargins<'g> {
 
     /// If x times `load` is added to the base load: the derivative of the onset's load factor with respect to x, at x = 0. There is one derivative
     /// for each contact or drive of [`Self::leavers`]. If `load` is the load of the onset, this is the derivative with respect to a factor of the
-    /// whole load, at the value 1. `None` if nothing resists `load` in the present contact states.
+    /// whole load, at the value 1. `None` if nothing resists `load` in the contact states at the onset.
     #[must_use]
     pub fn by_load<const C: usize>(&self, load: &Wrench<C>) -> Option<Vec<f64>> {
         let change = self.response.by_load(&inside(load)).ok()?;

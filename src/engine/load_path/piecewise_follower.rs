@@ -306,8 +306,8 @@ impl<'g> PiecewiseFollower<'g> {
         WEIGHTLESS * self.segment.largest.max(springs)
     }
 
-    /// If all contact forces at the present point of the path are rounding errors, sets them to zero. Otherwise the signs of these errors would
-    /// decide which contacts press.
+    /// If the contact forces and the load at the present point of the path are no larger than rounding errors, sets the contact forces to zero. If
+    /// they were kept, the signs of rounding errors would decide which contacts press.
     pub(super) fn let_go_of_rounding(&mut self) {
         let most =
             largest(&self.node.at.forces, &SVector::norm).max(self.segment.trajectory.at(self.factor).norm());

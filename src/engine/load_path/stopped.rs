@@ -46,7 +46,7 @@ impl PiecewiseFollower<'_> {
                 return false;
             }
             failures += 1;
-            // Three accurate trial steps must clearly violate the condition of the contact's state.
+            // Three accurate trial steps must clearly violate the condition of the contact's state, so that no error of a single step ends the path.
             if failures == 3 {
                 return true;
             }

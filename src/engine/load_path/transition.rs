@@ -23,8 +23,8 @@ pub(super) fn nothing_changes(problem: &Problem, rates: &Problem, states: &[Stat
     all_some(locals.map(|((local, law), state)| local.in_the_rates(law, *state)))
 }
 
-/// The change of a contact from one state to the next, as an event lists it; `None` if the contact stays open, sticking or sliding. Each state is
-/// given with the direction of slip, which is `None` unless the contact slides.
+/// The change of a contact from one state to the next, as an event lists it. `None` if the contact stays open, sticks on, or slides on along the same
+/// facet or corner of its cone. Each state is given with the direction of slip, which is `None` unless the contact slides.
 pub(super) fn change(
     (was, before): (State, Option<SVector<f64, 3>>),
     (is, direction): (State, Option<SVector<f64, 3>>),
@@ -43,13 +43,13 @@ pub(super) fn change(
     }
 }
 
-/// Number of solutions other than `found` of `rates`, the problem for the rates of forces and motion. They differ from `found` and from each other in
-/// rates of forces, or in twist rates apart from motions that no spring resists. Zero if the matrix of the kinematic form of `rates` is a P-matrix,
+/// Number of solutions of `rates`, the problem for the rates of forces and motion, in addition to the solution `found`. Two solutions differ if rates
+/// of forces differ, or twist rates apart from motions that no spring resists. Zero if the matrix of the kinematic form of `rates` is a P-matrix,
 /// which proves uniqueness. Otherwise all combinations of contact states are tried. `None` if there are more than 256 combinations, or with a contact
 /// at the apex of a round cone.
 pub(super) fn other_solutions(rates: &Problem, found: &SearchSolution) -> Option<usize> {
-    // With a contact at the apex of a round cone the solutions cannot be counted. Their number may differ from that with a polygonal cone, on which
-    // combinations of states are tried.
+    // In a rate problem `round` is true only if a contact is at the apex of a round cone. The solutions cannot be counted then: combinations of
+    // states are tried on polygonal cones, on which the number of solutions may be different.
     if rates.round {
         return None;
     }

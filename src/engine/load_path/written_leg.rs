@@ -1,5 +1,6 @@
 //! Legs (sections) of a load program in serialised form. Each quantity that changes along the leg has a field `…_by`, its change, or `…_to`, its
-//! value at the end. A command is a prescribed displacement of a finger.
+//! value at the end. A command is a prescribed displacement of a finger. A slide is the prismatic joint that every contact with a constant normal
+//! force gets in addition to the joints of fingers.
 
 use alloc::collections::BTreeMap;
 

@@ -1,17 +1,17 @@
 //! The error of given contact forces and twist: the exact solution with the same contact states, minus the given values.
 //!
-//! Contact i has the offset a_i (commanded displacement minus clearance and slip), the grasp map G_i, the stiffness matrix K_i and the given force
-//! F_i. The given twist is q, and the load W. Spring r of a contact is stretched along s_r, a vector that contains the square root of its stiffness.
-//! Three residuals are evaluated in twice the working precision: the residual displacement w_i of each contact, the scaled residual e_r of each
-//! spring, and the imbalance ρ.
+//! Contact i has the offset a_i (commanded displacement minus clearance and earlier slips), the grasp map G_i, the stiffness matrix K_i and the given
+//! force F_i. The given twist is q, and the load W. Spring r of a contact is stretched along s_r, a vector that contains the square root of its
+//! stiffness. Three residuals are evaluated in twice the working precision: the residual displacement w_i of each contact, the scaled residual e_r of
+//! each spring, and the imbalance ρ.
 //!
 //! ```text
 //! w_i = a_i - G_iᵀ q - K_i⁻¹ F_i,      e_r = s_r · w_i,      ρ = Σ G_i F_i + W      with F_i on its cone
 //! ```
 //!
 //! The linear problem is then solved with e_r and ρ as right-hand side. This gives the error itself, not only a bound. On the round cone it is the
-//! error to first order, which is enough if Newton's method has converged. At the solution w_i is zero along a spring that resists; its other
-//! components are gaps and slips.
+//! error to first order, which is enough if Newton's method has converged. At the solution the component of w_i along a spring that resists is zero.
+//! The other components of w_i are the gap and the slip of the contact.
 
 use nalgebra::SVector;
 
@@ -30,9 +30,9 @@ pub(crate) struct Correction {
     pub(crate) forces: Vec<SVector<f64, 3>>,
     /// The exact twist minus the given twist, without components along motions that no spring resists.
     pub(crate) twist: Vector,
-    /// Uncertainty of the corrected forces, N. The residual e_r of each spring is a force along this spring; the uncertainty is machine precision
-    /// times the largest of these forces. If refinement did not converge, the largest force of the last correction is added. The uncertainty is large
-    /// if the linear problem is nearly singular.
+    /// Uncertainty of the corrected forces, N. The residual e_r of each spring amounts to a force along this spring; the uncertainty is machine
+    /// precision times the largest of these forces. If refinement did not converge, the largest force of the last correction is added. The
+    /// uncertainty is large if the linear problem is nearly singular.
     pub(crate) doubt: f64,
 }
 

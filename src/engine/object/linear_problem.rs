@@ -188,10 +188,11 @@ impl LinearProblem {
         motions
     }
 
-    /// A virtual motion y along which no motion of the object changes the work of the springs. It is a left null vector of the tangent stiffness,
-    /// `Σ G_i C_iᵀG_iᵀ y = 0`, with the tangent stiffness C_i and the grasp map G_i of contact i. If the load does work along left null vectors along
-    /// which no spring pushes, y is the one along which the load does the most work. Otherwise y is a left null vector along which springs push, and
-    /// along which offsets and load together do work. `None` if offsets and load do no work along any left null vector.
+    /// A virtual motion y along which the work of the springs does not depend on where the object is. It is a left null vector of the tangent
+    /// stiffness, `Σ G_i C_iᵀG_iᵀ y = 0`, with the tangent stiffness C_i and the grasp map G_i of contact i. Along some left null
+    /// vectors no spring pushes. If the load does work along such vectors, y is the direction among them with the most work of the load. Otherwise
+    /// springs push along y, and y is the direction with the most work of the load and the spring forces at zero motion together. `None` if this work
+    /// is zero, too.
     pub(crate) fn motion_without_response(
         &self,
         offsets: &[SVector<f64, 3>],

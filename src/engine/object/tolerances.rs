@@ -9,17 +9,18 @@
 /// taken as balanced.
 pub(super) const NO_WORK: f64 = 1e-13;
 
-/// Forces below this fraction of the force that the displacements could cause in the springs are rounding. If commands alone move a statically
-/// determinate grasp, its exact contact forces are zero. Computed forces are then about 1e-45 of that spring force: it is projected three times onto
-/// forces in balance, and each projection leaves a fraction of about 1e-15. With this lower bound of the size of forces, such rounding errors are not
-/// compared with each other.
+/// Contact forces below this fraction of a spring force count as rounding errors. The spring force is the force that the displacements of the
+/// contacts could cause in their springs. In a statically determinate grasp without a load, commands move the object, but the exact contact forces
+/// are zero. The computed forces result from three projections of the spring force onto forces in balance. Each projection leaves a fraction of about
+/// 1e-15, so about 1e-45 of the spring force remains. Relative errors of forces are therefore measured against at least this fraction of the spring
+/// force.
 ///
 /// If smaller, rounding errors are taken as forces; if larger, small forces are taken as zero if displacements are large.
 pub(crate) const NO_FORCE: f64 = 1e-25;
 
 /// Iterative refinement ends once a correction changes no spring force by more than this fraction of the largest force: the next correction
-/// would be smaller by about the same factor. With factors of a band matrix only the first correction is compared with this fraction, later
-/// corrections with a smaller fraction.
+/// would be smaller by about the same factor. If the tangent stiffness is factorised as a band matrix, only the first correction is compared with
+/// this fraction. Later corrections must then be at most 1e-15 of the largest force, since each is only a constant fraction of the one before.
 ///
 /// If smaller, well-conditioned problems take another correction; if larger, forces miss digits that one more correction would give.
 pub(super) const NEARLY_CORRECTED: f64 = 1e-8;

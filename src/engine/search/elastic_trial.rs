@@ -17,7 +17,8 @@ use crate::prelude::*;
 pub(super) struct ElasticTrial<'s, 'g> {
     pub(super) problem: &'s Problem<'g>,
     pub(super) settings: &'s Settings,
-    /// The contact states of the elastic trial: every contact sticks, except those that their law keeps open.
+    /// The contact states of the elastic trial: every contact sticks, except that contacts whose law is [`Law::Absent`](crate::contact::Law::Absent)
+    /// are open.
     pub(super) trial_states: Vec<State>,
     pub(super) trial: Arc<LinearProblem>,
     pub(super) state: ForcesAndTwist,

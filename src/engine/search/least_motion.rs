@@ -43,7 +43,8 @@ pub(super) fn at_the_least_motion(problem: &Problem, mut found: SearchSolution) 
     let mut rows: Vec<(f64, Vec<f64>)> = Vec::new();
     for (i, (value, _)) in values.iter().enumerate() {
         let changes = changes.iter().map(|list| list[i]);
-        // A gap or slip whose change along a unit motion is below this fraction of its size does not depend on that motion.
+        // A gap or slip gives a condition only if it depends on some of the free motions: if its change along a unit motion is above this fraction of
+        // `size`, the size of the terms of this change.
         if changes.clone().any(|(change, size)| change.abs() > SOLVED_ROUNDING * size) {
             rows.push((*value, changes.map(|(change, _)| change).list()));
         }

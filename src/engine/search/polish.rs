@@ -1,10 +1,10 @@
 //! From a solution with polygonal friction cones to a solution with round cones: Newton's method on the twist, then a solution in the contact states
 //! found, accurate to the last digits.
 //!
-//! From the twist of the first solution a few steps of Newton's method ([`newton_on_cones`](crate::object::newton_on_cones)) lead to the states of
-//! the contacts on the round cone. If every contact keeps its state, the contact laws are linear. The solution of this linear problem gives the last
-//! digits ([`super::round_pieces`]). Newton's method fails if stiffnesses differ so widely that the twist does not determine the forces. Then
-//! `round_pieces` starts from the states of the polygons.
+//! A few steps of Newton's method ([`newton_on_cones`](crate::object::newton_on_cones)) start from the twist of the solution with polygonal cones.
+//! They lead to the states of the contacts on the round cones. If every contact keeps its state, the contact laws are linear. The solution of this
+//! linear problem gives the last digits ([`super::round_pieces`]). Newton's method fails if stiffnesses differ so widely that the twist does not
+//! determine the forces. Then `round_pieces` starts from the contact states of the solution with polygonal cones.
 
 use super::answer::SearchSolution;
 use super::candidate::{CandidateOutcome, try_states};
@@ -31,8 +31,8 @@ pub(super) fn accept(problem: &Problem, states: Vec<State>) -> CandidateOutcome 
     }
 }
 
-/// The start for Newton's method on the round cone: the solution of the linear problem with these contact states on polygonal friction cones. It may
-/// break inequalities of the contact states. `None` if no forces in these states balance the load.
+/// The start for Newton's method on the round cone: the solution of the linear problem with these contact states on polygonal friction cones. This
+/// solution may break inequalities of the contact states, such as a normal force above zero. `None` if no forces in these states balance the load.
 pub(crate) fn solution_near(problem: &Problem, states: &[State]) -> Option<ForcesAndTwist> {
     if let Some(near) = regular_solution(problem, states) {
         return Some(near);
@@ -65,8 +65,8 @@ pub(super) fn polish_from(problem: &Problem, twist: Vector) -> Option<SearchSolu
     RoundPieces::by_newton(problem, twist)?.solve(problem)
 }
 
-/// The solution with round friction cones near `near`, a solution with polygonal cones in the contact states `states`. Newton's method starts from
-/// the twist of `near` and, if that fails, from the contact states. `None` if both starts fail.
+/// The solution with round friction cones that is found from `near`, a solution with polygonal cones in the contact states `states`. Newton's method
+/// starts from the twist of `near` and, if that fails, from the contact states. `None` if both starts fail.
 pub(crate) fn polish(problem: &Problem, states: &[State], near: &ForcesAndTwist) -> Option<SearchSolution> {
     let found = RoundPieces::by_newton(problem, near.twist.clone())
         .and_then(|arrived| arrived.solve(problem))

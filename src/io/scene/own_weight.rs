@@ -91,8 +91,8 @@ impl Setup<3> {
         })
     }
 
-    /// The turn with the weight of all bodies as its load; `None` if `turn` has a load of its own. An error if it has none and the bodies have no
-    /// weight.
+    /// The turn with the weight of all bodies as its load; `None` if `turn` has a load of its own. An error if `turn` has no load and
+    /// the bodies have no weight.
     fn own_turn(&self, turn: &Turn<3>) -> Result<Option<Turn<3>>, Error> {
         let Some(axis) = turn.tilts_bodies_about else { return Ok(None) };
         let (Some(gravity), Some((mass, centre))) = (self.gravity, self.own_mass()) else {

@@ -188,7 +188,8 @@ impl<'de, const C: usize> Deserialize<'de> for Fingertip<C> {
     }
 }
 
-/// A contact of a finger. It may name the joints that move it. If it gives no stiffness, the compliance of the finger may replace its springs.
+/// A contact of a finger. It may name the joints of the finger that move it. A contact without a stiffness is allowed here, since the compliance
+/// matrix of the finger may replace the springs of its contacts.
 pub(super) struct LinkedContact<const C: usize>(pub(super) Fingertip<C>);
 
 impl<'de, const C: usize> Deserialize<'de> for LinkedContact<C> {

@@ -14,8 +14,8 @@ use super::line::{InputLine, LONGEST_LINE};
 use super::options::StreamOptions;
 use super::reply::Reply;
 
-/// Number of lines at which a block, a batch of input lines that one worker answers, is full. If smaller, more time goes into passing blocks between
-/// threads; if larger, more lines are held in memory.
+/// A block (a batch of input lines that one worker answers) is full once it has this number of lines. If smaller, more time goes into passing blocks
+/// between threads; if larger, more lines are held in memory.
 const LINES_OF_A_BLOCK: usize = 64;
 /// Size, bytes, at which a block of input lines is full, and size of the input buffer.
 pub const BLOCK_BYTES: usize = 1 << 16;
@@ -133,7 +133,7 @@ fn read_blocks(
     }
 }
 
-/// The next line of input without its newline. Of a line that is longer than [`LONGEST_LINE`] (64 MiB) only the first 1024 bytes. `None` at the end
+/// The next line of input without its newline. A line that is longer than [`LONGEST_LINE`] (64 MiB) is cut to its first 1024 bytes. `None` at the end
 /// of the input.
 fn read_line(input: &mut BufReader<impl Read>, number: usize) -> io::Result<Option<InputLine>> {
     use io::BufRead;

@@ -13,12 +13,13 @@ pub(crate) enum Rotation {
 }
 
 impl Twist<3> {
-    /// The parts of a twist of space: the translation of the body's point at the origin, m, and the rotation, rad.
+    /// The two parts of a twist in space: the translation of the body's point at the origin, m, and the rotation, rad.
     pub(crate) fn parts(&self) -> (SVector<f64, 3>, Rotation) {
         self.parts_in(Space::Spatial)
     }
 
-    /// Translation of the body's point at the origin, m, and rotation, rad, of a twist of the plane or of space.
+    /// The two parts of a twist in the plane or in space, as `space` says: the translation of the body's point at the origin, m, and the rotation,
+    /// rad.
     pub(crate) fn parts_in(&self, space: Space) -> (SVector<f64, 3>, Rotation) {
         let (along, turning) = self.components().split_at(3);
         let rotation = match space {

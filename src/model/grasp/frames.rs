@@ -68,7 +68,7 @@ impl<const C: usize> Contact<C> {
     }
 }
 
-/// `v` with its linear and its angular part rotated by `rotation`.
+/// The load or motion `v` with its linear and its angular part rotated by `rotation`.
 fn turned<R: AbstractRotation<f64, C>, const C: usize>(rotation: &R, v: &Vector) -> Vector {
     let part = |from: usize| rotation.transform_vector(&by_axis(|a| v[from + a]));
     let linear = part(0);

@@ -35,7 +35,7 @@ pub(super) fn dot_whole(a: &[f64; WHOLE], b: &[f64; WHOLE]) -> f64 {
 pub(super) struct SumLanes {
     sums: [f64; 4],
     rest: f64,
-    /// The greatest multiple of four that does not exceed the number of terms. Terms from this index on are added to `rest`.
+    /// The greatest multiple of four that does not exceed the number of terms. Terms from this index on are added to the field `rest`.
     whole: usize,
 }
 

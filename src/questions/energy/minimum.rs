@@ -68,9 +68,9 @@ impl<const C: usize> MinimumOutcome<C> {
 /// ```
 ///
 /// The multiplier λ of the friction constraint of contact i at facet h acts on the object like a force that no contact exerts:
-/// `Σ G_i F_i + W = Σ λ G_i K_i (μ e_n - h)`. A contact with infinite friction has no friction constraint. If it had a gap, it could therefore
-/// transmit a tangential force F_t across the open gap. It has the constraint F_n >= 0 instead of a gap. (The quadratic program of the paper that
-/// [`energy`](crate::energy) cites has the gap.)
+/// `Σ G_i F_i + W = Σ λ G_i K_i (μ e_n - h)`. A contact with infinite friction has no friction constraint. With a gap g_i, such a contact
+/// could therefore transmit a tangential force F_t across the open gap. Here it has no gap; instead it has the constraint F_n >= 0. (In the
+/// quadratic program of the paper that [`energy`](crate::energy) cites, such a contact has a gap.)
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]

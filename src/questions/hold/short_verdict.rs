@@ -54,7 +54,7 @@ pub enum VerdictKind {
     Lost,
     /// The base load has no equilibrium, and a proof shows this; see [`Holding::NoRest`].
     NoRest,
-    /// On a path on which the base load grows from zero, the grasp loses it; see [`Holding::LostAtRest`].
+    /// The grasp loses the base load on a path on which the base load grows from zero; see [`Holding::LostAtRest`].
     LostAtRest,
     /// The path could not be followed to the whole load; see [`Holding::Undecided`].
     Undecided,

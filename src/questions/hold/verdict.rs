@@ -32,9 +32,9 @@ pub struct Verdict<const C: usize> {
     /// the load was followed.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub first_slip: Option<FirstSlip>,
-    /// The jumps (motions under constant load) up to the whole load or the loss, in each of which the object is caught. Contacts begin to slide with
-    /// lower [kinetic friction](crate::grasp::Contact::kinetic), gaps close after a motion without resistance, or the object snaps over to another
-    /// equilibrium.
+    /// The jumps (motions under constant load) up to the whole load or the loss, in each of which the object is caught. In a jump contacts begin to
+    /// slide with lower [kinetic friction](crate::grasp::Contact::kinetic), gaps close after a motion without resistance, or the object snaps over to
+    /// another equilibrium.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub caught: Vec<CaughtJump>,
     /// Largest load factor that is reached with the load held and motions [small](crate::Settings::small_motions); 0 if the grasp does not hold the
@@ -45,8 +45,8 @@ pub struct Verdict<const C: usize> {
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub held_to: f64,
     /// Load factor from which on every contact with friction and a normal force slides without interruption up to factor 1. If a contact sticks at
-    /// factor 1, or the path ends before it, this is the factor from which on they slide up to the end of the path. At larger factors friction is
-    /// exhausted, and normal forces must carry any further load. `None` if a contact sticks at factor 1 and at the end of the path.
+    /// factor 1, or the path ends before factor 1, this is the factor from which on all of them slide up to the end of the path. At larger factors
+    /// friction is exhausted, and normal forces must carry any further load. `None` if a contact sticks at factor 1 and at the end of the path.
     #[cfg_attr(
         feature = "serde",
         serde(default, skip_serializing_if = "Option::is_none", with = "AsComputed::<Option<f64>>")
@@ -60,17 +60,17 @@ pub struct Verdict<const C: usize> {
     /// less no resistance is left. This fraction is not computed for several bodies, nor if commands or joints change with the load.
     ///
     /// A second number replaces this fraction if it is lower and at most -1/2. It is minus the largest fraction of the springs' resistance to any
-    /// motion that the forces under the whole load take away. At -1 the grasp buckles. If the points of action of the load are known, the verdict ends
-    /// there, with [`TooFar::Buckles`]. `None` if the fraction is between -0.1 and 0.1 and the second number above -1/2, and if the grasp buckles
-    /// before the whole load acts.
+    /// motion that the forces under the whole load take away. At -1 the grasp buckles. If the points of action of the load are known, the verdict
+    /// ends there, with [`TooFar::Buckles`]. `None` if the fraction is between -0.1 and 0.1 and the second number above -1/2, and if the grasp
+    /// buckles before the whole load acts.
     #[cfg_attr(
         feature = "serde",
         serde(default, skip_serializing_if = "Option::is_none", with = "AsComputed::<Option<f64>>")
     )]
     pub left_out: Option<f64>,
-    /// The small motion from rest to where the object hangs under the whole load, if nothing resists this motion. The other fields are those of the
-    /// undeformed geometry: the object is lost at once. The forces where it hangs are not computed, so friction may be exceeded there. `None` if the
-    /// object is held, if it would hang only beyond small motions, or if the points of action of the load are not known.
+    /// The small motion from rest to where the object hangs under the whole load, if nothing resists this motion. The other fields of this verdict
+    /// hold for the undeformed geometry, in which the object is lost at once. The forces where it hangs are not computed, so friction may be exceeded
+    /// there. `None` if the object is held, if it would hang only beyond small motions, or if the points of action of the load are not known.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub swing: Option<Motion<C>>,
     /// The loss of equilibrium, or the end of [small motions](crate::Settings::small_motions), whichever comes first; its factor may exceed 1. `None`

@@ -27,14 +27,14 @@ pub struct Identified {
     /// Number of groups of slips; slips of one group may share an error, as slips of one specimen do. `None` if the slips have no groups.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub groups: Option<usize>,
-    /// The relative standard deviation of the observed loads or angles, estimated from the residuals. `None` if the question gives it, if there are no
-    /// [degrees of freedom](Self::degrees_of_freedom), or if the slips agree to all digits.
+    /// The relative standard deviation of the observed loads or angles, estimated from the residuals. `None` if the question gives it, if there are
+    /// no [degrees of freedom](Self::degrees_of_freedom), or if the slips agree to all digits.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub scatter: Option<f64>,
     /// Root mean square of the residuals, each divided by the given standard deviation of its slip; the mean is the sum divided by the degrees of
     /// freedom. The expected value is 1. Slips beyond the [bound of outliers](super::Identify::with_outliers_beyond) count less. If this number is
-    /// much more than one, the model is wrong, or the given standard deviations are too small; the errors are then as many times larger. `None` if no
-    /// standard deviations were given, or no degrees of freedom remain.
+    /// much more than one, the model is wrong, or the given standard deviations are too small. The standard errors are then multiplied by this
+    /// number. `None` if no standard deviations were given, or no degrees of freedom remain.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub misfit: Option<f64>,
     /// Number of observations minus the number of independent combinations of unknowns that the observations determine. Observations are the observed

@@ -1,6 +1,7 @@
 //! Checks of a question of identification (which data of a grasp explain its observed slips). They return errors for questions that no search can
 //! answer. A layout is an arrangement of the contact points, with a grasp of its own. An unknown is a number of the grasp, such as a coefficient of
-//! friction. A carried force is the normal force of a contact before the load of a slip grows; the base load acts then, too.
+//! friction. A carried force is the normal force of a contact before the load of a slip grows, due to the squeeze and the base load. The squeeze is
+//! all that presses without a load.
 
 use super::question::{Identify, KnownSum};
 use super::slip::Slip;
@@ -117,7 +118,8 @@ impl KnownSum {
 }
 
 impl Unknown {
-    /// Whether one contact cannot have both unknowns, because they are of one kind, or a squeeze and a carried force.
+    /// Whether the two unknowns exclude each other at one contact. They do if they are of one kind. So do a squeeze and a carried force, since both
+    /// determine how hard the contact presses.
     fn clashes_with(&self, other: &Self) -> bool {
         let presses = |kind| matches!(kind, UnknownKind::Carried | UnknownKind::Squeeze);
         self.kind == other.kind || (presses(self.kind) && presses(other.kind))
@@ -140,7 +142,7 @@ impl Unknown {
     }
 
     /// Returns an error for contacts of this unknown that a layout (arrangement of the contact points) does not have. For a carried force, also an
-    /// error for contacts whose pressing force is given.
+    /// error for contacts whose pressing force is given. `number` is the index of the unknown, from 0, for the message.
     fn check(&self, number: usize, layouts: &[Grasp<3>]) -> Result<(), Error> {
         for (layout, grasp) in layouts.iter().enumerate().filter(|(layout, _)| self.is_in(*layout)) {
             let named = self.contacts.as_deref().unwrap_or_default();

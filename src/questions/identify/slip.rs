@@ -128,9 +128,9 @@ impl Slip<3> {
             && self.turn == other.turn
     }
 
-    /// Returns this slip with its load split in two, if nothing but this load presses on the contacts. The component against the mean of the contact
-    /// normals, as a rule a weight, becomes the base load; only the rest grows. If both parts grew together, friction and normal forces would grow in
-    /// the same proportion, so that the object would slide at once, or never.
+    /// Returns this slip with its load split in two, if nothing but this load presses on the contacts. The component of the load against the mean of
+    /// the contact normals, as a rule a weight, becomes the base load. Only the component across that mean grows. If both components grew together,
+    /// friction and normal forces would grow in the same proportion, so that the object would slide at once, or never.
     pub(super) fn with_weight_at_rest(mut self, grasp: &Grasp<3>) -> Self {
         let SlipLoad::Load(load) = self.growing_load() else { return self };
         let is_plain = |contact: &Contact<3>| contact.hold == Hold::Unilateral;
@@ -146,14 +146,16 @@ impl Slip<3> {
         let force = load.force_part();
         let pressed = -along.dot(&force) / along.norm_squared();
         if pressed.is_nan()
-            // If the mean of unit normals is shorter than this, contacts oppose each other, as two jaws do, and no load presses on all of them.
+            // If the mean of the unit normals is not longer than 1e-6, contacts oppose each other, as two jaws do, and no load presses on all of
+            // them.
             || along.norm() <= 1e-6 * count
             || pressed * along.norm() <= NEGLIGIBLE * force.norm()
         {
             return self;
         }
-        // The moment about the centroid of the contacts is split in the ratio of the components of both forces along the whole force. In the plane
-        // both forces then act through the point of the load's line that is nearest to the centroid.
+        // The force of the load is split into `weight`, the base load, and the force that grows. Its moment about the centroid of the contacts is
+        // split in the ratio of the components of these two along the whole force. In the plane both then act through the point of the load's line of
+        // action that is nearest to the centroid.
         let weight = along * -pressed;
         let about = load - Wrench::force_through(&centre, &force);
         let share = weight.dot(&force) / force.norm_squared();

@@ -81,7 +81,8 @@ impl Loading {
             }));
         }
         let weakest = self.grasp.weakest_direction(base, point)?;
-        // The direction in which the least force makes a contact slide is noted. If directions are tried one by one later, it is tried first.
+        // The direction in which the least force makes a contact slide is stored in `refuting`. If directions are tried one by one later, this
+        // direction is tried first.
         if let WeakestDirection::Force { direction, .. } = &weakest
             && refuting.directions.borrow().is_empty()
         {
@@ -130,10 +131,10 @@ impl Loading {
         Ok(self.one_direction(&ramp, None)?.0)
     }
 
-    /// The worst result over directions of a force; `worst` has the result without the force. First the directions with which other amounts were
-    /// found insufficient are tried. A quick trial (without the enumeration of contact states) tries only these, if there are any. Then follow evenly
-    /// spread directions, in space at least 0.4 rad apart; then all directions near those in which less than [`CLOSE`] (1.1) times the load is
-    /// carried. Finally the weakest direction between all these is sought.
+    /// The worst result over directions of a force; `worst` has the result without the force. First, directions are tried in which the force was not
+    /// held with other amounts. A quick trial (without the enumeration of contact states) tries only these directions, if there are any. Then follow
+    /// evenly spread directions, in space at least 0.4 rad apart, and all neighbours of those in which less than [`CLOSE`] (1.1) times the load is
+    /// carried. Finally the weakest direction is sought between all directions that were tried.
     fn in_every_direction(
         &self,
         mut worst: Trials,
@@ -215,11 +216,12 @@ impl Loading {
         Ok(results)
     }
 
-    /// The worst result for directions between evenly spread directions in all of which the load is carried. The weakest direction is sought near
-    /// each direction in which a smaller part of the load is carried than in its neighbours. `before` has directions that were weakest with other
-    /// amounts, and the parts carried in them. The search starts from one of these if it is within 1.25 times the first step (half the angle between
-    /// evenly spread directions) and no larger part is carried in it. The carried part of the load jumps where the number of jumps on the load path
-    /// changes. If this number differs between two neighbours, the direction between them at which it changes is sought, too.
+    /// The worst result for directions between evenly spread directions, if the whole load is carried in each of the latter. The weakest direction is
+    /// sought near each evenly spread direction in which a smaller part of the load is carried than in its neighbours. `before` has directions that
+    /// were weakest with other amounts, and the parts carried in them. The search starts from such a direction if no larger part is carried in it
+    /// than in the evenly spread direction, and the angle between the two is at most 1.25 times the first step. The first step is half the angle
+    /// between evenly spread directions. The carried part of the load jumps where the number of jumps on the load path changes. If this number
+    /// differs between two neighbours, the direction between them at which the number changes is sought, too.
     fn between_directions(
         &self,
         (all, tried): (&[[f64; 3]], &[Option<DirectionTrial>]),
@@ -347,9 +349,9 @@ type Along<'a> = &'a (dyn Fn([f64; 3]) -> Ramp<3> + Sync);
 /// before the group. If larger, most of a group is tried in vain after a direction in which the load is lost; if smaller, cores are idle.
 const AT_ONCE: usize = 8;
 
-/// First step of the search for the weakest direction if it starts from a direction that was weakest with another amount, as a fraction of the first
-/// step from an evenly spread direction. If smaller, the search takes more steps to follow the weakest direction from amount to amount; if larger, it
-/// halves the step more often.
+/// The search for the weakest direction may start from a direction that was weakest with another amount. Its first step is then this fraction of the
+/// first step from an evenly spread direction. If smaller, the search takes more steps to follow the weakest direction from amount to amount; if
+/// larger, the search halves the step more often.
 const A_LITTLE: f64 = 0.125;
 
 /// The search for the weakest direction ends once its step is below this angle, rad. If the carried forces form a convex set, the carried part

@@ -84,8 +84,8 @@ fn where_most_is_carried(
         let rising = one + (one - at_low) / (inner[0] - low) * gap;
         let falling = other + (other - at_high) / (high - inner[1]) * gap;
         let most = before.max(beyond).max(rising.min(falling));
-        // A negative value is not a carried fraction of the load: the object moves too far already at rest. Narrow intervals of sufficient amounts
-        // are not sought then.
+        // A negative value of `one` or `other` is not a carried fraction of the load: the object moves too far already at rest. The search then ends
+        // once the interval is narrower than [`NARROW`] (1 %). Otherwise it ends if the carried fraction is below 1 everywhere in the interval.
         let is_known = if one.min(other) < 0.0 { high <= low * (1.0 + NARROW) } else { most < 1.0 };
         if high - low <= LAST_DIGITS * high || slope.is_finite() && is_known {
             break;

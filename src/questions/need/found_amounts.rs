@@ -88,8 +88,9 @@ impl FoundAmounts<'_, '_> {
     fn around(&self, plan: &mut SearchPlan, bound: &Threshold) -> Result<BoundScan, Error> {
         let sufficient = bound.sufficient;
         let is_squeeze = matches!(self.tried.need.sought, Sought::Squeeze | Sought::Overlaps);
-        // If `is_monotone`, a larger squeeze always carries more, but it may move the object too far. Therefore one much larger squeeze is tried:
-        // [`FAR_FROM_START`] times the least squeeze or, if larger, times the given squeeze. If it is insufficient, the whole range is scanned.
+        // If `plan.is_monotone`, a larger squeeze always carries more, but it may move the object too far. Therefore one much larger squeeze is
+        // tried: [`FAR_FROM_START`] times the least squeeze or, if larger, times the given squeeze. If it is insufficient, the whole range is
+        // scanned.
         let ample = FAR_FROM_START * sufficient.max(plan.start);
         if plan.is_monotone && is_squeeze && self.scan > 0 && plan.contains(ample) {
             self.tries.at(ample)?;

@@ -1,8 +1,8 @@
 //! The trial of one amount (of squeeze, friction, load, arm or angle): the grasp with this amount set, and the verdicts on its loads. The carried
 //! part of a load is the load factor up to which the demand is met: that the object is held, or that nothing slides. At rest means under the loads
 //! that act before the loads of the question. An amount is sufficient if the demand is met with it under every load; the bound is the least or
-//! greatest sufficient amount. A ramp is a load that grows in proportion; first slip is the load factor at which the first contact stops sticking
-//! under it. Motions are small within the limits up to which the linear theory is trusted.
+//! greatest sufficient amount. A ramp is a load that grows in proportion to a load factor, in addition to the load at rest. First slip is the load
+//! factor at which the first contact stops sticking. Motions are small within the limits up to which the linear theory is trusted.
 
 use alloc::sync::Arc;
 use core::fmt;
@@ -167,8 +167,8 @@ impl Loading {
         Turn::new(self.base + constant * times, cosine * times, sine * times).up_to(turn.angle())
     }
 
-    /// The worst result over the loads of all these ramps (a ramp is a load that grows in proportion). The loop ends at the first load that is not
-    /// carried.
+    /// The worst result over the loads of all these ramps (loads that each grow in proportion to a load factor). The loop over the ramps ends at the
+    /// first load that is not carried.
     fn all(&self, ramps: &[Ramp<3>], demand: Demand, refuting: &RefutingLoads) -> Result<Trials, Error> {
         let (mut held, mut sticks, mut kinds, mut jumps) = (Trial::always(), Trial::always(), None, false);
         let (mut weakest, mut least) = (refuting.first.get(), f64::INFINITY);
@@ -177,7 +177,8 @@ impl Loading {
             if demand == Demand::Sticks {
                 let ramp = &ramps[which];
                 let slip = self.said_of(which, &ramp.direction, self.first_slip(ramp)?);
-                // A grasp that does not hold at rest has no first slip; the reason is then taken from its verdict.
+                // A negative `part` means that the grasp does not hold at rest. It then has no first slip, and the reason is taken from the verdict
+                // below.
                 let is_enough = self.is_beside && slip.carried().is_some_and(|part| part >= 0.0);
                 let is_told = self.grasp.settings().is_quick || is_enough;
                 if let (Trial::Insufficient { .. }, true) = (&slip, is_told) {
@@ -201,8 +202,8 @@ impl Loading {
             let wanted = if demand == Demand::Sticks { &sticks } else { &held };
             if let Trial::Insufficient { .. } = wanted {
                 refuting.first.set(which);
-                // The loop ends here. If this load is not held, the loads together are not held. If it is held, but a contact slides under it, later
-                // loads were not tried, and whether all are held is not known (`None`).
+                // The remaining loads are not tried. If this load is not held, it is known that not all loads are held. If it is held, but a contact
+                // slides under it, it is not known whether the remaining loads are held: `held` is `None` unless none remain.
                 let held = (!held.is_sufficient() || k + 1 == ramps.len()).then_some(held);
                 return Ok(Trials { held, sticks: Some(sticks), at_rest: kinds, jumps });
             }

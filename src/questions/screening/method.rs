@@ -1,9 +1,10 @@
-//! Two methods for the contact forces of three contacts in space: forces along the edges of their triangle, or the motion of the object.
+//! Two methods for the contact forces of a grasp. [`Method::Edges`] has forces along the lines between contacts as unknowns, [`Method::Motions`] the
+//! motion of the object. For three contacts in space this file chooses between the two. The lines are then the edges of the triangle of contacts.
 //!
-//! In the first method some set of contact forces that balances the load is chosen. Forces along the edges are added so that displacements agree with
-//! the compliances. In a slim triangle the forces chosen first are larger than the resulting contact forces, which costs digits. If compliances
-//! differ much, the force of a soft contact is a small difference of large forces. For such grasps the motion of the object is used instead, and also
-//! for contacts without friction, whose compliance is infinite.
+//! `Edges` starts from some contact forces that balance the load. It adds forces along the edges so that displacements agree with the compliances.
+//! In a slim triangle the starting forces are larger than the resulting contact forces, which costs digits. If compliances differ much, the force of
+//! a soft contact is a small difference of large forces. For such triangles `Motions` is chosen, and also for contacts without friction, whose
+//! tangential compliance is infinite.
 //!
 //! The choice is made once, when a grasp is prepared. A block holds the data of several grasps, which are computed together, one grasp in each lane
 //! of a vector. The choice is read from these data lane by lane, so that an answer does not depend on the grasps in other lanes.
@@ -16,15 +17,16 @@ use crate::numerics::Each;
 /// The method by which the contact forces of a grasp are found.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Method {
-    /// From compliances: forces along the edges between contacts are the unknowns; for some triangles in space and pairs in the plane.
+    /// Forces along the lines between contacts are the unknowns, computed from compliances. For two contacts in the plane and some triangles in
+    /// space.
     Edges,
-    /// From stiffnesses: the motion of the object is the unknown; for all other grasps.
+    /// The motion of the object is the unknown, computed from stiffnesses. For all other grasps.
     Motions,
 }
 
 impl Method {
-    /// For each lane, whether the grasp in it uses this method. Pairs in the plane use `Edges`, triangles in space the method that [`to_compliances`]
-    /// chose for each, all other grasps `Motions`.
+    /// For each lane, whether the grasp in this lane uses the method `self`. Two contacts in the plane use `Edges`, three contacts in space the
+    /// method that [`to_compliances`] chose for each grasp, and all other grasps `Motions`.
     #[inline(always)]
     pub(super) fn of<const C: usize, X: Packed>(self, block: &Block<'_, C, X>) -> X::Each<bool> {
         let edges = self == Self::Edges;
@@ -48,8 +50,9 @@ pub(super) fn is_a_triangle<const C: usize, X: Packed>(block: &Block<'_, C, X>) 
     C == 3 && block.contacts == triangle::N
 }
 
-/// Chooses the method for a triangle in space. For [`Method::Edges`] it replaces stiffnesses by compliances, and writes the [`TermSizes`]: bounds of
-/// the terms of contact forces. A field `force` above zero marks the choice of this method.
+/// Chooses the method for three contacts in space. If it is [`Method::Edges`], this function replaces the stiffnesses in `grasp` by compliances. It
+/// also writes the [`TermSizes`], to which the rounding errors of contact forces are proportional. [`TermSizes::force`] is above zero if and only if
+/// `Edges` is chosen.
 pub(super) fn to_compliances<const C: usize>(grasp: &mut AnyGraspData<C>) {
     let stiff = grasp.block().springs().each(|row| [row[0], row[1], row[2]]);
     let (mut least, mut most) = (f64::INFINITY, 0.0_f64);
@@ -62,8 +65,8 @@ pub(super) fn to_compliances<const C: usize>(grasp: &mut AnyGraspData<C>) {
         }
     }
     let sizes = sizes(&grasp.block());
-    // Compliances of the three contacts may differ by at most a factor of 1000. If this were larger, the force of a soft contact would lose more than
-    // three digits. If smaller, more grasps would need the other method, which takes twice the time.
+    // For `Edges` the compliances of the three contacts may differ by at most a factor of 1000. With a larger factor, the force of a soft contact
+    // would lose more than three digits. With a smaller factor, more grasps would use `Motions`, which takes twice the time.
     if most <= 1e3 * least && sizes.force > 0.0 {
         grasp.measure(&sizes);
         return;
@@ -75,16 +78,16 @@ pub(super) fn to_compliances<const C: usize>(grasp: &mut AnyGraspData<C>) {
     }
 }
 
-/// Bounds of the terms that add up to contact forces found along edges; rounding errors are proportional to them. The bounds for a unit moment and a
-/// unit force are zero if rounding would be too large for this method.
+/// Bounds on the terms that add up to a contact force in [`Method::Edges`]; the rounding error of the force is proportional to them. The bounds for a
+/// unit moment and a unit force are zero if rounding errors would be too large, so that `Edges` must not be used.
 fn sizes<const C: usize>(grasp: &Block<'_, C, f64>) -> TermSizes<f64> {
     let mut triangle = Triangle::none();
     triangle.ready(grasp);
     let length = triangle.edge.each(|edge| edge.iter().map(|x| x * x).sum::<f64>().sqrt());
     let [c_n, c_t] = grasp.springs();
-    // The contact forces P that balance the load before edge forces are added have size one. With edge forces the contact forces are `P - N A⁻¹ Nᵀ C
-    // P`. The sum of the absolute values of their terms is at most `1 + |N| |A⁻¹| |Nᵀ| C`. Here N maps forces along edges to contact forces, C are
-    // the compliances, and `A = Nᵀ C N`.
+    // Let P be the starting contact forces, which balance the load without forces along edges, scaled to size one. The resulting contact forces are
+    // `P - N A⁻¹ Nᵀ C P`. Here N maps forces along edges to contact forces, C are the compliances, and `A = Nᵀ C N`. The absolute values of the terms
+    // of a contact force add up to at most `gives`, `1 + |N| |A⁻¹| |Nᵀ| C`.
     let mut gives = 1.0;
     for k in 0..N {
         let mut unit = [0.0; N];
@@ -99,9 +102,9 @@ fn sizes<const C: usize>(grasp: &Block<'_, C, f64>) -> TermSizes<f64> {
     let height = triangle.one_over_square.sqrt();
     let moment = longest * height * gives;
     let centre: f64 = triangle.centre.iter().map(|x| x.abs()).sum();
-    // The bound of the contact forces due to a unit moment, times the longest edge, may be at most 1000. If this limit were larger, margins that
-    // decrease slowly would be unclear. If smaller, more grasps would need the other method, which takes twice the time. For an equilateral triangle
-    // of equal springs the product is seven.
+    // For `Edges` the bound on contact forces due to a unit moment, times the longest edge, may be at most 1000. For an equilateral triangle of equal
+    // springs this product is seven. With a larger limit, rounding would leave open when a friction margin that decreases slowly becomes zero. With a
+    // smaller limit, more grasps would use `Motions`, which takes twice the time.
     let tame = triangle.factors.free == 0.0 && moment * longest <= 1e3;
     let tamed = |size: f64| if tame { size } else { 0.0 };
     TermSizes {

@@ -9,7 +9,8 @@ use super::least_factor::NO_FACTOR;
 /// The least factor of the commands with which all contacts of one grasp stick under each load of a list, or the reason why screening has no factor.
 #[derive(Clone, Copy, PartialEq)]
 pub struct ScreenedSqueeze {
-    /// The least factor on the commands, or for the other verdicts one of the codes in `least_factor` and `first_slip`.
+    /// The least factor of the commands if the verdict is [`SqueezeVerdict::Suffices`]. Each other verdict has a code instead: one of the constants
+    /// `NO_FACTOR`, `GIVES_WAY` and `UNCLEAR`.
     pub(super) code: f64,
     /// The contact and the load that determine the factor, encoded as `8 · load + contact`.
     pub(super) binding: f64,
@@ -21,16 +22,16 @@ pub struct ScreenedSqueeze {
 pub enum SqueezeVerdict {
     /// With the commands times [`ScreenedSqueeze::factor`] every contact touches and sticks under every load of the list.
     Suffices,
-    /// With no factor of the commands all contacts stick under all loads.
+    /// No factor of the commands makes all contacts stick under all loads of the list.
     NoFactor,
     /// A load does positive work along a motion that no contact resists, however much the fingers press.
     GivesWay,
     /// Screening has no answer, because of rounding or missing friction. [`Grasp::least_squeeze`](crate::ask::Grasp::least_squeeze) may have an
     /// answer. The reasons are:
     ///
-    /// * A factor would have fewer than six digits: commands hardly change a margin, or a contact force that changes with the factor only grazes its
-    ///   cone.
-    /// * The least factor for one contact and the largest for another differ by no more than rounding.
+    /// * A factor would have fewer than six digits. Either commands hardly change the friction margin `μ F_n - |F_t|` of a contact. Or the force of a
+    ///   contact, as a function of the factor, only grazes its friction cone.
+    /// * The least factor with which one contact sticks and the largest factor with which another contact sticks differ by no more than rounding.
     /// * Two contacts in the plane do not hold the object because friction is missing.
     /// * Forces or stiffnesses are so large or small that squares overflow or lose digits.
     Unclear,
@@ -59,8 +60,8 @@ impl ScreenedSqueeze {
         (self.verdict() == SqueezeVerdict::Suffices).then_some(self.code)
     }
 
-    /// The contact at the edge of its cone with this factor, and the load under which it is there, as indices from 0. If there are several such
-    /// contacts, the first is returned. `None` if the factor is zero, or if there is no factor.
+    /// The contact whose force reaches the edge of its friction cone at [`Self::factor`], and the load under which it does, as indices from 0. If
+    /// several contacts reach their edges, the first is returned. `None` if the factor is zero, or if there is no factor.
     #[must_use]
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // it is a small whole number
     pub fn binding(&self) -> Option<(usize, usize)> {

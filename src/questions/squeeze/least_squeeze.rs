@@ -22,8 +22,8 @@ pub enum LeastSqueeze<const C: usize> {
         /// zero, because then no squeeze is needed.
         binding: Option<(usize, Wrench<C>)>,
     },
-    /// No factor makes all contacts stick. With the factor `factor` below, and with any larger one, the contact does not stick under this load. With
-    /// a smaller factor the sticking condition of another contact or load fails.
+    /// No factor makes all contacts stick. With the factor in the field `factor`, or any larger factor, the contact `contact` does not stick under
+    /// the load `load`. With a smaller factor the sticking condition of another contact or load fails.
     #[non_exhaustive]
     NoFactor {
         /// The contact that does not stick, counted from 0.

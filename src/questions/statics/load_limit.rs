@@ -1,9 +1,10 @@
-//! Limit analysis: the largest multiple of a load that contact forces within a budget balance and, as its inverse, the budget that a load needs.
+//! Limit analysis: the largest multiple of a load that contact forces within a budget balance and, as its inverse, the budget that a load needs. The
+//! budget is an upper limit of the normal force of each contact, or of the sum of all normal forces.
 //!
 //! Let G_i be the grasp map of contact i, W₀ the constant base load and W the load. The result is the largest λ with `Σ G_i F_i + W₀ + λ W = 0` for
-//! some forces F_i in their cones and within the budget. The wrenches that contact forces can exert form a convex set. A plane that touches this set,
-//! with the set on one side, gives an upper bound of λ. Consider a ray from inside the set towards the wrench that balances the load at this bound.
-//! It ends in the set, or leaves it through a plane with a smaller bound.
+//! some forces F_i in their cones and within the budget. The wrenches that such contact forces can exert form a convex set. A plane that touches this
+//! set, with the set on one side, gives an upper bound of λ. Consider a ray from inside the set towards the wrench that balances the load at this
+//! bound. The ray ends in the set, or leaves the set through a plane with a smaller bound.
 
 use nalgebra::SVector;
 
@@ -143,7 +144,7 @@ fn limit(size: Size, mut set: WrenchSet, base: &Vector, rate: &Vector) -> LoadLi
 }
 
 /// Contact forces that balance the load at the end of the ray `crossing`. That load is a weighted mean of vertices of the set, each the wrench of
-/// known contact forces; the same mean of these forces is returned. The weights are `coefficients` for the vertices around the crossing; the
+/// known contact forces; the same mean of these forces is returned. The weights are [`RayExit::coefficients`] for [`RayExit::vertices`]; the
 /// remaining weight is distributed evenly over the vertices of `simplex`.
 fn forces(set: &WrenchSet, simplex: &[Vertex], crossing: &RayExit) -> Vec<SVector<f64, 3>> {
     let rest = (1.0 - crossing.coefficients.iter().sum::<f64>()) / simplex.len() as f64;
