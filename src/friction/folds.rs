@@ -81,8 +81,8 @@ impl<const C: usize> Path<'_, C> {
     /// method does not reach the path.
     fn starting_point(&self, energy: f64) -> Option<DVector<f64>> {
         let size = self.problem.q.len();
-        // The initial τ is a million times `energy`, the mean over the contacts of ρ_i ‖q_i‖², where ρ_i converts a velocity of contact i to a force.
-        // With so large a τ the path is far inside the cones, where Newton's method finds its point.
+        // The initial τ is a million times `energy`, the mean over the contacts of ρ_i ‖q_i‖², where q_i is its velocity without contact forces, and
+        // ρ_i converts a velocity to a force. With so large a τ the path is far inside the cones, where Newton's method finds its point.
         let tau = 1e6 * energy;
         let mut x = DVector::zeros(size + 1);
         for i in 0..self.problem.len() {
@@ -98,8 +98,8 @@ impl<const C: usize> Path<'_, C> {
         (point.size <= enough).then_some(x)
     }
 
-    /// Three results at a point x (the forces, then ln τ). They are the residuals of the equations, their root mean square relative to √τ, and their
-    /// derivatives with respect to forces and ln τ.
+    /// The equations at a point x (the forces, then ln τ). Returns three results: their residuals, the root mean square of these residuals divided by
+    /// √τ, and the derivatives of the residuals with respect to forces and ln τ.
     fn residual_and_derivatives(&self, x: &DVector<f64>) -> (DVector<f64>, f64, DMatrix<f64>) {
         let size = x.len() - 1;
         let r = x.rows(0, size).into_owned();

@@ -2,10 +2,10 @@
 //! algebra at one point of an arc.
 //!
 //! Let a contact slide along p = F_t / |F_t| with `|F_t| = μ F_n`. Its tangent stiffness `C = k_n (e_n + μ P) e_nᵀ + κ d dᵀ`, see [`Tangent`],
-//! depends on p alone. Here k_n is the normal stiffness, `P = K_t p / (p·K_t p)` with the tangential stiffnesses K_t, and κ the stiffness along the
-//! tangent d across the slip. The offsets a of the contact springs (commanded displacements minus clearances and slips) are affine in the load factor
-//! λ. The load W is affine in λ or turns with it. Twist q and load factor change together, with grasp maps G_i and a unit u of displacement. Here q'
-//! and λ' are rates per unit of arclength, a_i' and W' rates per unit of λ:
+//! depends on p alone. Here k_n is the normal stiffness, e_n the unit normal, `P = K_t p / (p·K_t p)` with the tangential stiffnesses K_t, and κ the
+//! stiffness along the tangent d across the slip. The offsets a of the contact springs (commanded displacements minus clearances and slips) are
+//! affine in the load factor λ. The load W is affine in λ or turns with it. Twist q and load factor change together, with grasp maps G_i and a unit u
+//! of displacement. Here q' and λ' are rates per unit of arclength, a_i' and W' rates per unit of λ:
 //!
 //! ```text
 //! T q' = b λ',     T = Σ G_i C_i G_iᵀ,     b = Σ G_i C_i a_i' + W',     |q'|²/u² + λ'² = 1
@@ -155,8 +155,8 @@ impl<'s, 'g> Arc<'s, 'g> {
         self.segment.trajectory.rate_at(factor) + self.free_motions.iter().fold(push.clone(), along)
     }
 
-    /// Norm of the rate of the load plus the rate of the forces by which commands push contacts that do not slide. The unit is N per unit of the
-    /// load factor.
+    /// The norm of the sum of two rates: the rate of the load, and the rate of the forces by which commands push contacts that do not slide. The unit
+    /// is N per unit of the load factor.
     pub(super) fn load_rate(&self, factor: f64) -> f64 {
         self.push_at(factor).norm()
     }
@@ -287,11 +287,11 @@ impl<'s, 'g> Arc<'s, 'g> {
         across: &Direction,
         frictions: &[SVector<f64, 3>],
     ) -> Option<(ForcesAndTwist, f64)> {
-        // An imbalance of forces is taken as rounding if it is below this fraction of the sum of the sizes of load and contact forces. Rounding
-        // errors grow with the square root of their number.
+        // An imbalance of forces is taken as rounding if it is below this fraction of the sum of the magnitudes of load and contact forces. Rounding
+        // errors grow with the square root of the number of these terms.
         let rounding = 2e-16 * ((self.sites().len() + 2) as f64).sqrt();
-        // Near the end of a leg the load may be a small difference of larger terms, with their rounding errors. The imbalance is therefore compared
-        // with the load at the start of the leg, if that is larger.
+        // Near the end of a leg that unloads, the load is a small difference of larger terms and has their rounding errors. The imbalance is
+        // therefore compared with the load at the start of the leg, if that load is larger.
         let from = self.segment.trajectory.at(0.0).norm();
         let (mut frictions, mut balanced, mut last) = (frictions.to_vec(), None, f64::INFINITY);
         for round in 0..20 {
@@ -312,8 +312,8 @@ impl<'s, 'g> Arc<'s, 'g> {
                 }
                 let mut change = self.unscaled(bordered.solve(&left, 0.0));
                 if across.keeps_the_factor() {
-                    // `across` is the direction in which only the load factor grows. A correction transverse to it leaves the load factor fixed, and
-                    // a computed change would be rounding.
+                    // `across` is the direction in which only the load factor grows. A correction transverse to it leaves the load factor fixed, so a
+                    // computed change of the load factor is only rounding.
                     change.factor = 0.0;
                 }
                 twist += &change.twist;
@@ -323,14 +323,14 @@ impl<'s, 'g> Arc<'s, 'g> {
             }
             let carried = ended?;
             let off = self.off_the_cones(&forces);
-            // Each round of corrections reduces the distance `off` of friction forces from their cones; next to a fold (a maximum of the load factor)
-            // a round leaves a quarter of it. After four rounds the corrections end if a round leaves more than 0.3 of this distance.
+            // Each round of corrections reduces `off`, the distance of friction forces from their cones. Next to a fold (a maximum of the load
+            // factor) a round reduces it to a quarter. After four rounds the corrections end if a round has left more than 0.3 of `off`.
             if round > 3 && off > 0.3 * last {
                 break;
             }
             last = off;
-            // If springs resist a motion only weakly, a correction along this motion may be so large that friction forces turn off the cones. The
-            // correction is then repeated with the new directions of friction.
+            // If springs resist a motion only weakly, a correction along this motion may be so large that friction forces turn and leave their cones.
+            // The correction is then repeated with the new directions of friction.
             let is_on_them = off <= SLACK_ON_AN_ARC * carried;
             if !is_on_them {
                 self.sliding

@@ -1,4 +1,5 @@
-//! Load programs: legs (sections) along which load and finger commands change linearly.
+//! Load programs: legs (sections) along which load and finger commands change linearly, or the load turns. A goal is the value of a quantity at the
+//! end of a leg, or its change along the leg.
 
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::numerics::{Each, IntoList, largest, mapped};

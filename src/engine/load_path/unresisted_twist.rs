@@ -8,9 +8,9 @@ use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::object::{ForcesAndTwist, LinearProblem};
 
 impl Segment<'_> {
-    /// The rates `rate` of forces and twist, shifted along free and neutral motions until the twist rate agrees with `pushed` along these motions.
-    /// Other components of `rate` stay. `pushed` comes from the rate problem (for rates of forces and motion), in which contacts that touch without
-    /// force may push the object. If `pushed` is `None`, `rate` is returned unchanged.
+    /// Returns the rates `rate` of forces and twist with another component of the twist rate along free and neutral motions: the component of
+    /// `pushed`. Other components of `rate` stay. `pushed` is the twist rate that solves the rate problem (for rates of forces and motion). In this
+    /// problem contacts that touch without force may push the object. If `pushed` is `None`, `rate` is returned unchanged.
     pub(super) fn pushed_along(
         &self,
         linear_problem: &LinearProblem,

@@ -217,8 +217,9 @@ impl Pad {
         covers.then(|| self.profile.at(u).0)
     }
 
-    /// This pad with an elastic layer of the given modulus, Pa, and thickness, m. It is an elastic foundation of `E/t` per unit area along the
-    /// normal, and of `E/3t` along tangents, N/m³. It replaces the finger stiffness of the contact.
+    /// This pad with an elastic layer of Young's modulus E = `modulus`, Pa, and thickness t = `thickness`, m. The layer is an elastic foundation: its
+    /// stiffness per unit area is `E/t` along the normal and `E/3t` along tangents, N/m³. This stiffness replaces the finger stiffness of the
+    /// contact.
     #[must_use]
     pub fn of_layer(self, modulus: f64, thickness: f64) -> Self {
         let normal = modulus / thickness;

@@ -120,8 +120,8 @@ impl Line<'_> {
     }
 
     /// The answer if a friction constraint begins to bind at a pivot; `row` is its index in `program.friction`. `faces` are the constraints that are
-    /// active before this pivot. `seen` is the load factor according to the pivots, whose rounding errors it contains. Therefore the load factor of
-    /// the answer is computed anew from the active springs.
+    /// active before this pivot. `seen` is the load factor at this pivot, with the rounding errors of all pivots so far. The load factor of the
+    /// answer is therefore computed anew, from the active springs.
     fn ends(&self, faces: &Faces, row: usize, seen: f64) -> Option<Agreement<3>> {
         let [forces, rates] = self.forces(&self.program.springs(faces))?;
         let friction = &self.program.friction;

@@ -1,6 +1,7 @@
 //! The verdict on a load. The load path leads from the base load (load factor 0) to the whole load (factor 1). It is followed further, to the load
 //! factor `Settings::most_load` or to the loss of equilibrium. The base load acts before the load grows; at rest means under it. Motions are small
-//! within the limits of rotation, slip and opening up to which the linear theory is trusted. A drive is a motor, clutch or tendon of a joint.
+//! within the limits of rotation, slip and opening up to which the linear theory is trusted. A drive is a motor, clutch or tendon of a joint. The
+//! loss is the loss of equilibrium at the end of a path. A jump is a motion under constant load to another equilibrium.
 
 use core::mem::{Discriminant, discriminant};
 
@@ -31,8 +32,8 @@ pub(crate) enum VerdictScope {
     /// Like `Whole`, but if motions cease to be small before the whole load is reached, the path is followed further, to the whole load or the loss.
     /// [`PathFacts::farthest`] is then the largest ratio of a motion to its limit up to the whole load or the loss.
     Measured,
-    /// Like `Measured`, but without the proof that no equilibrium exists near the loss, and without the data that only sentences need. It is not
-    /// computed at which fraction of the base load equilibrium is lost, which would need a path on which the base load grows from zero.
+    /// Like `Measured`, but without the proof that no equilibrium exists near the loss, and without the data that only sentences need. The fraction
+    /// of the base load at which equilibrium is lost is not computed either, since it needs a path on which the base load grows from zero.
     Decided,
     /// Only the fields that a [`super::ShortVerdict`] needs: no equilibria, no proofs and no data for sentences. The path is followed as far as for
     /// `Whole`.
@@ -141,8 +142,8 @@ impl Engine {
         let buckles = too_far.as_ref().is_some_and(|far| far.what == TooFar::Buckles);
         let state = state.filter(|_| !buckles || end.0 > 0);
         let held_to = reached(end);
-        // If a jump at the first slip ends small motions, the load factor of the first slip may exceed the load factor of this end by rounding. The
-        // first slip then still counts.
+        // If the first slip causes a jump whose motion is no longer small, the first slip and the end of small motions have the same load factor. By
+        // rounding, that of the first slip may come out larger. The first slip then still counts.
         let is_small = |first: &FirstSlip| too_far.is_none() || first.factor <= held_to * (1.0 + NEGLIGIBLE);
         let start = rest_that_slips(&onset, &path);
         let first_slip = self.first_slip(&onset, &events, start.as_ref()).filter(is_small);
@@ -172,7 +173,8 @@ impl Engine {
                 let then = self.carried_while_it_slides(ramp, settings);
                 lost.then_takes = then.filter(|then| *then < held_to * (1.0 - NEGLIGIBLE));
             }
-            // The proof assumes that the vacuum of every cup lasts, so it is not tried for a loss at which the lips of cups are open all around.
+            // The proof that no equilibrium exists near the loss assumes that the vacuum of every suction cup lasts. It is therefore not tried if, at
+            // the loss, a cup lets go because its lip is open all around.
             if matches!(holding, Holding::Lost) && !matches!(lost.way_out, WayOut::LetsGo { .. }) {
                 lost.nothing_near = self.nothing_near(&lost, loss, ramp, settings);
             }
@@ -205,9 +207,9 @@ impl Engine {
         }
         let there = state.as_ref().or_else(|| verdict.lost.as_ref()?.state.as_deref());
         let rest = rest.filter(|_| ramp.command_change.is_none() && ramp.joint_change.is_none());
-        // The fraction of the springs' resistance that contact forces take away, a negative number, is computed without the effect of the load's
-        // points of action. If these points are known, buckling is decided above. A fraction of -1 or less (all resistance is taken away) would
-        // contradict that decision, so it is dropped.
+        // `part` is minus the fraction of the springs' resistance that contact forces take away; at -1 or less nothing resists, and the grasp
+        // buckles. It neglects where the load acts. If the points of action are known, the path has already decided whether the grasp buckles, and a
+        // contradicting `part` is dropped.
         let is_open = |part: &f64| *part > -1.0 || !self.may_buckle(&ramp.load_at(1.0));
         let by_the_load = rest
             .zip(there)
@@ -241,8 +243,8 @@ impl Engine {
             self.lost_at_rest(base, settings).map_or(otherwise, |at_rest| Holding::LostAtRest { at_rest })
         };
         match path.end() {
-            // If no equilibrium is known at the loss, the grasp does not hold the base load itself. Contacts slide under the base load, so that their
-            // friction falls to the kinetic value, and no other contact catches the object.
+            // If no equilibrium is known at the loss, the path was lost at its start, under the base load alone: contacts slide there, their friction
+            // falls to the kinetic value, and the object finds no other equilibrium. The grasp then does not hold the base load.
             Some(PathEnd::Lost(_)) if path.state().is_none() => or_at_rest(Holding::Lost),
             Some(PathEnd::Lost(_)) => Holding::Lost,
             Some(PathEnd::NoStart(start)) => match &**start {
@@ -281,8 +283,8 @@ impl Engine {
     }
 
     /// The [`Holding`] if the whole load is held: [`Holding::Loose`], [`Holding::Sticks`] or [`Holding::Slides`]. A contact has slid if it slides
-    /// under the whole load, slipped in a jump, or began to slide at an event. A slip in the equilibrium does not show that a contact has slid: a
-    /// contact that was open has a slip, too.
+    /// under the whole load, slipped in a jump, or began to slide at an event. The slip (tangential displacement) stored in the equilibrium is no
+    /// sign of sliding: a contact that was open has a slip, too.
     fn holding(
         &self,
         state: &Equilibrium<3>,

@@ -1,5 +1,6 @@
 //! The sentence of a verdict on a load, as one would say it to a colleague. The load factor is the multiple of the growing load that acts; 1 is the
-//! whole load.
+//! whole load. The base load acts before the load grows. The loss is the loss of equilibrium, or the end of small motions (motions for which the
+//! linear theory is trusted). At gross slip every contact that presses slides. A drive is the motor, clutch or tendon of a joint.
 
 use alloc::borrow::Cow;
 use core::fmt;
@@ -144,7 +145,7 @@ impl<const C: usize> Verdict<C> {
     }
 
     /// Writes the caution about the geometric stiffness (the change of contact forces as the parts turn), which the theory of small motions neglects.
-    /// Writes nothing if [`Verdict::left_out`] is `None`, or if it only remains open whether the grasp buckles.
+    /// Writes nothing if [`Verdict::left_out`] is `None`, or if another sentence says that buckling remains open ([`Self::leaves_buckling_open`]).
     fn write_caution(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Some(part) = self.left_out.filter(|_| !self.leaves_buckling_open()) else { return Ok(()) };
         let nothing_stays = if part <= -1.0 { ", so that nothing stays" } else { "" };
@@ -174,7 +175,7 @@ impl<const C: usize> Verdict<C> {
     }
 
     /// The sentence about motions that cease to be small. If the loss counts as gross slip, the sentence begins with the load from which all contacts
-    /// slide. Then it names the motion that exceeds its limit, if a motion and not another quantity does.
+    /// slide. Then it names the motion that exceeds its limit. If the reason is no motion, such as buckling, the sentence says only this reason.
     fn write_small_motion_limit(
         &self,
         lost: &Lost<C>,

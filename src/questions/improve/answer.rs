@@ -1,6 +1,7 @@
 //! The answer of the search for better finger places. A place is the position of a contact on its curve or surface, a squeeze the normal force of its
-//! command. A design point is one choice of all places and squeezes. The goal is the value that the search maximises; the base load acts before the
-//! loads of the question grow.
+//! command. A design point is one choice of all places and squeezes. The goal is the value that the search maximises: the load factor of first slip,
+//! or the reserve, the least margin of a contact force to the edge of its friction cone, N. The base load acts before the loads of the question grow;
+//! at rest means under the base load.
 
 use nalgebra::SVector;
 

@@ -4,7 +4,8 @@
 //! full trial of an amount enumerates contact states in the search for equilibria, a quick trial does not.
 //!
 //! Easier amounts are larger if the least amount is sought, smaller if the greatest is sought. The far end is the last sufficient amount on the
-//! easier side of the bound. A scan tries further amounts on both sides of a bound that is already found.
+//! easier side of the bound. A scan tries further amounts on both sides of a bound that is already found. A bracket consists of a sufficient and an
+//! insufficient amount with the bound between them.
 
 use core::cell::{Cell, Ref, RefCell};
 
@@ -86,8 +87,8 @@ impl<'q> TrialRecord<'q> {
             return Ok(trial);
         }
         // An amount that is sufficient in a quick trial (without the enumeration of contact states) is sufficient in a full trial, too. There are two
-        // exceptions. With many coordinates, a quick trial starts the search for an equilibrium at rest from the contact states of another amount. Of
-        // a force of any direction, quick trials omit some directions.
+        // exceptions. With many coordinates, a quick trial starts the search for an equilibrium at rest from the contact states of another amount. If
+        // the question has a force of any direction, quick trials omit some directions.
         if demand == Demand::Held
             && !uses_band(self.grasp.engine.size())
             && !matches!(self.need.loads, Loads::AnyForce { .. })
@@ -198,7 +199,7 @@ impl<'q> TrialRecord<'q> {
         picked(&known, &|(at, trials)| Some((*at, trials.of(demand)?.clone())))
     }
 
-    /// The range and number of amounts tried. Amounts that only narrow a bracket are counted as one amount.
+    /// The range and number of amounts tried. Amounts closer together than those of a scan, tried to narrow a bracket, are counted as one amount.
     pub(super) fn amounts(&self, demand: Demand) -> TriedAmounts {
         let mut amounts: Vec<f64> = mapped(&self.known(demand), &|(at, _)| *at);
         if matches!(self.need.loads, Loads::AnyForce { .. }) {

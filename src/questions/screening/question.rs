@@ -71,9 +71,9 @@ impl<V: Vectors, const C: usize, X: Packed> PreparedBlock<'_, V, C, X> {
         forces.add_to(self.block.contacts, self.squeezed, ON_THE_EDGE / ZERO_SLACK);
     }
 
-    /// Computes the contact forces that the commands alone cause, and the contact forces that the clearances alone cause. The bound of a force's
-    /// rounding error is set to [`ZERO_SLACK`] (5e-14) times the sum of the magnitudes of its terms, as for forces due to loads. Forces due to
-    /// commands otherwise have the wider bound [`ON_THE_EDGE`] (1e-12) times this sum.
+    /// Computes the contact forces that the commands alone cause, and the contact forces that the clearances alone cause. For both the bound of a
+    /// force's rounding error is [`ZERO_SLACK`] (5e-14) times the sum of the magnitudes of its terms, as for forces due to loads. Other methods give
+    /// forces due to commands a wider bound, [`ON_THE_EDGE`] (1e-12) times this sum.
     #[inline(always)]
     pub(super) fn apart(&self, [commands, clearances]: [&mut AnyForces<C, X>; 2]) {
         let [commanded, clearance] = self.block.commands_and_clearances();

@@ -7,7 +7,7 @@
 //! never comes to rest. A linear program finds it. The multipliers of the linear program prove that no other slips allow a larger λ.
 //!
 //! If slips change no normal force, the grasp does come to rest for every λ up to this bound (Melan's theorem for friction). This does not hold if
-//! friction falls as contacts slide. If slips change normal forces, the order of the loads matters, which [`shake`](super) follows.
+//! friction falls as contacts slide. If slips change normal forces, the order of the loads matters, too; [`shake`](super) takes it into account.
 
 use nalgebra::{DMatrix, Matrix, SVector};
 
@@ -92,7 +92,7 @@ impl Engine {
     ) -> Result<Option<Shakedown<3>>, Error> {
         let at_rest = self.load_alone(base, "base load")?;
         let loads: Vec<_> = tried(loads, &|load| self.inside(load, "load that repeats"))?;
-        // Cones that contain the round cone are needed: only then is the greatest factor an upper bound.
+        // The polygonal cones must contain the round cones: only then is the greatest factor an upper bound.
         let around = PolygonCone::new(settings.cone.facets(), PolygonFit::Circumscribed)?;
         let cone = if settings.is_round(self.space()) { around } else { settings.cone };
         let sticking = StickingResponse::new(self, &Settings { cone, ..*settings }.on_the_polygon());

@@ -1,6 +1,6 @@
 //! An upper bound of the probability that any of several failures happens, if their margins are correlated. A failure is a negative margin of a facet
-//! (a plane that bounds a friction cone, or touches a round one). The point of failure is the smallest set of errors of the data at which the margin
-//! vanishes. The reliability β is its size, in standard deviations.
+//! (a plane that bounds a friction cone, or touches a round one). The point of failure is the shortest vector of errors of the data, in standard
+//! deviations, at which the margin vanishes. Its length is the reliability β.
 //!
 //! For failures E_i and a tree whose edges connect pairs (i, j) of them (Hunter, An upper bound for the probability of a union, 1976)
 //!
@@ -78,7 +78,7 @@ impl Failures {
 }
 
 impl Failure {
-    /// An approximate probability that both failures happen. The first-order probability of this is multiplied by the smaller of the two corrections
+    /// An approximate probability that both failures happen: their joint probability to first order, times the smaller of the two corrections
     /// `probability / first_order`.
     fn with(&self, other: &Self) -> f64 {
         // Only points of one contact share their friction coefficient; the friction coefficients of different contacts are independent.

@@ -1,5 +1,5 @@
 //! Contacts of a finger: their motion with the joints, the compliance behind them, and the commands that make them press. A command is a prescribed
-//! displacement of a contact or joint.
+//! displacement of a contact or joint. Links are the rigid parts of a finger between its joints.
 
 use nalgebra::{DMatrix, DVector};
 
