@@ -81,8 +81,8 @@ impl<const C: usize> Path<'_, C> {
     /// method does not reach the path.
     fn starting_point(&self, energy: f64) -> Option<DVector<f64>> {
         let size = self.problem.q.len();
-        // The initial τ is a million times `energy`, the mean over the contacts of ρ_i ‖q_i‖², where q_i is its velocity without contact forces, and
-        // ρ_i converts a velocity to a force. With so large a τ the path is far inside the cones, where Newton's method finds its point.
+        // The initial τ is a million times `energy`, the mean of ρ_i ‖q_i‖² over the contacts. Here q_i is the velocity of contact i without contact
+        // forces, and ρ_i converts it to a force. With so large a τ the path is far inside the cones, where Newton's method finds its point.
         let tau = 1e6 * energy;
         let mut x = DVector::zeros(size + 1);
         for i in 0..self.problem.len() {

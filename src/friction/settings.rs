@@ -21,11 +21,11 @@ pub struct Settings {
     /// cones again, with 1.5 times as many facets, rotated towards the slip directions.
     pub turns: usize,
     /// Largest number of Newton steps in one run of Newton's method (default 30). A run starts from the solution with polygonal cones, or is a round
-    /// of anchored Newton steps, in which a proximal term holds the forces near given forces, the anchor.
+    /// of anchored Newton steps. In these a proximal term holds the forces near given forces, the anchor.
     pub steps: usize,
     /// Largest number of starts of the iterative methods (default and maximum 4). These methods are used if polygonal cones have led to no solution.
-    /// If contacts that affect one another number more than 40 in the plane, or more than 16 in space with 8 facets, polygonal cones are not tried.
-    /// Each start makes Gauss–Seidel sweeps, follows the central path and makes anchored Newton steps.
+    /// Polygonal cones are not tried for more than 40 contacts that affect one another in the plane, or 16 in space with 8 facets. Each start makes
+    /// Gauss–Seidel sweeps, follows the central path and makes anchored Newton steps.
     pub starts: usize,
     /// Largest number of rounds of anchored Newton steps in each of the `starts` (default 30). Rounds take most of the time if no solution is found.
     pub rounds: usize,

@@ -48,8 +48,8 @@ pub(super) struct Arc<'s, 'g> {
 #[derive(Debug)]
 pub(super) struct ConstantTerms {
     /// The tangent stiffness of the contacts that do not slide. T would be singular if no spring resists some motion, so an artificial stiffness is
-    /// added along each such motion. The right-hand side b is chosen so that the object moves along it with the velocity in `Arc::free_motions`,
-    /// which may be zero.
+    /// added along each such motion. The right-hand side b is chosen so that the object moves along this motion with the velocity in
+    /// `Arc::free_motions`, which may be zero.
     stiffness: PathStiffness,
     /// The terms of the right-hand side b of `T q' = b λ'` from commands of contacts that do not slide.
     push: Vector,

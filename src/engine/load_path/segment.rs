@@ -96,8 +96,8 @@ impl PathPoint {
 impl<'g> Segment<'g> {
     /// Forces, twist, gaps and their rates at the load factor `factor`, while contacts have the states `states`. If no spring resists some motion,
     /// many twists are solutions: the twist returned is the one nearest to `near`, and its rate the one nearest to `pushed`. `pushed` is the twist
-    /// rate that solves the rate problem (the complementarity problem for the rates of forces and motion), in which contacts that touch without force
-    /// may push the object along such a motion. Returns an error if forces cannot balance the load or its rate.
+    /// rate that solves the rate problem (the complementarity problem for the rates of forces and motion). In it contacts that touch without force
+    /// may push the object along a motion that no spring resists. Returns an error if forces cannot balance the load or its rate.
     pub(super) fn point_at(
         &self,
         states: &[State],

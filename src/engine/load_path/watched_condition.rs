@@ -8,7 +8,7 @@ use crate::contact::{Line, Mode, State, tangential, tangential_norm};
 use crate::numerics::Each;
 use crate::prelude::*;
 
-/// The subject of a condition that is watched along an arc: a contact, the load factor or the leg.
+/// The condition that is watched along an arc, named by what it concerns: a contact, the growth of the load factor, or the end of the leg.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum WatchedCondition {
     /// The contact with this index satisfies the condition of its present state, such as a positive gap if it is open.

@@ -98,7 +98,7 @@ impl Pad {
     /// outline, m, as seen along the closing direction; `strips` as for [`Self::rectangle`].
     ///
     /// # Errors
-    /// [`Error::Fingertip`] as for a rectangle, and unless the first side is less than the diameter.
+    /// [`Error::Fingertip`] as for a rectangle, and if the first side is not less than the diameter.
     pub fn cylinder(radius: f64, sides: [f64; 2], strips: [usize; 2]) -> Result<Self, Error> {
         if !(sides[0] < 2.0 * radius && radius <= LARGEST) {
             let (what, allowed) = ("radius of the pad", "more than half of its first side, and at most 1e50");
@@ -111,7 +111,7 @@ impl Pad {
     /// and `strips` as for [`Self::cylinder`].
     ///
     /// # Errors
-    /// [`Error::Fingertip`] as for a rectangle, and unless the angle is from 0.1 to π.
+    /// [`Error::Fingertip`] as for a rectangle, and if the angle is not from 0.1 to π.
     pub fn v(opening: f64, sides: [f64; 2], strips: [usize; 2]) -> Result<Self, Error> {
         if !(0.1..=PI).contains(&opening) {
             let (what, allowed) = ("opening angle of the V", "from 0.1 to π rad");

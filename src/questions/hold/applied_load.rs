@@ -33,7 +33,7 @@ pub(crate) enum VerdictScope {
     /// [`PathFacts::farthest`] is then the largest ratio of a motion to its limit up to the whole load or the loss.
     Measured,
     /// Like `Measured`, but without the proof that no equilibrium exists near the loss, and without the data that only sentences need. The fraction
-    /// of the base load at which equilibrium is lost is not computed either, since it needs a path on which the base load grows from zero.
+    /// of the base load at which equilibrium is lost is not computed either. It would need a path on which the base load grows from zero.
     Decided,
     /// Only the fields that a [`super::ShortVerdict`] needs: no equilibria, no proofs and no data for sentences. The path is followed as far as for
     /// `Whole`.
@@ -142,8 +142,8 @@ impl Engine {
         let buckles = too_far.as_ref().is_some_and(|far| far.what == TooFar::Buckles);
         let state = state.filter(|_| !buckles || end.0 > 0);
         let held_to = reached(end);
-        // If the first slip causes a jump whose motion is no longer small, the first slip and the end of small motions have the same load factor. By
-        // rounding, that of the first slip may come out larger. The first slip then still counts.
+        // If the first slip causes a jump whose motion is not small, small motions end at the load factor of the first slip. By rounding, that of the
+        // first slip may come out larger. The first slip then still counts.
         let is_small = |first: &FirstSlip| too_far.is_none() || first.factor <= held_to * (1.0 + NEGLIGIBLE);
         let start = rest_that_slips(&onset, &path);
         let first_slip = self.first_slip(&onset, &events, start.as_ref()).filter(is_small);
@@ -235,8 +235,8 @@ impl Engine {
     ) -> Holding<3> {
         let inaccurate = Holding::Undecided { doubt: Doubt::Inaccurate };
         let or_at_rest = |otherwise: Holding<3>| {
-            // It takes up to a thousand times as long to follow the base load from zero as to follow the load on top of it. The scope `Decided` omits
-            // this.
+            // It takes up to a thousand times as long to follow the base load from zero as to follow the load on top of it. The scope `Decided`
+            // therefore leaves it out.
             if extent == VerdictScope::Decided {
                 return otherwise;
             }

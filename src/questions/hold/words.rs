@@ -122,8 +122,8 @@ impl<const C: usize> fmt::Display for Verdict<C> {
 }
 
 impl<const C: usize> Verdict<C> {
-    /// Whether the grasp seems to buckle: the contact forces take away all resistance of the springs. Whether it does remains open, because the point
-    /// of action of the load is unknown, and this point may be such that the load steadies the object.
+    /// Whether the grasp seems to buckle: the contact forces take away all resistance of the springs. Buckling remains undecided, because the point
+    /// of action of the load is unknown: at some points of action the load would steady the object.
     pub(super) fn leaves_buckling_open(&self) -> bool {
         let is_held = matches!(self.holding, Holding::Sticks | Holding::Slides { .. });
         is_held && self.left_out.is_some_and(|part| part <= -1.0)

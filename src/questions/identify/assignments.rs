@@ -92,8 +92,8 @@ impl Assignments<'_> {
         Ok(())
     }
 
-    /// Exchanges the values of two unknowns of the fit at index `at`, then halves the smaller one until some slips depend on other unknowns than at
-    /// the fit. Starts searches for fits from the values reached.
+    /// Exchanges the values of two unknowns of the fit at index `at`, then halves the smaller one until the assignment (on which unknowns each slip
+    /// depends) is one not found before. Starts searches for fits from the values reached.
     fn weaken(&mut self, at: usize, pair: (usize, usize)) -> Result<(), Error> {
         let Some(mut before) = self.fits[at].linear.clone() else { return Ok(()) };
         let mut from = self.fits[at].logs.clone();
@@ -190,8 +190,8 @@ fn pairs_of(model: &Model<'_>) -> Vec<(usize, usize)> {
 /// At most ten pairs ([`MOST_PAIRS`]) of unknowns whose exchange may lead to another assignment. A pair is listed if some slip depends on one of its
 /// unknowns and not on the other, while no slip depends on both.
 ///
-/// A slip that depends on both would tell the two unknowns apart. If the slips leave some unknown undetermined, it cannot, and a pair is listed in
-/// spite of such a slip. A pair is listed, too, if the fit ended on a kink of the predicted loads where both unknowns are equal.
+/// A slip that depends on both would tell the two unknowns apart. If the slips leave some unknown undetermined, such a slip may not tell them apart,
+/// and the pair is listed all the same. A pair is listed, too, if the fit ended on a kink of the predicted loads where both unknowns are equal.
 fn pairs(model: &Model<'_>, fit: &Fitted) -> Result<Vec<(usize, usize)>, Error> {
     let mut pairs = Vec::new();
     let Some(linear) = fit.linear.as_ref().filter(|_| matches!(fit.end, FitEnd::Converged)) else {

@@ -36,7 +36,8 @@ pub struct Improved<const C: usize> {
     /// [buckling](TooFar::Buckles). `None`, and omitted, without one.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub too_far: Option<TooFar>,
-    /// Contacts that use all their friction at rest, so that a little less friction, or a rounded place, loses the grasp before any load.
+    /// Contacts that use all their friction at rest. With a little less friction, or with places rounded to fewer digits, such a contact may slide
+    /// before any load acts.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub at_their_limit: Vec<WholeContact>,
     /// The size of the load, N, if it is a single force. The load factor of first slip times this size is the force at first slip.

@@ -31,7 +31,7 @@ pub(super) struct TrialFunctions<'t> {
     /// Whether the question has a force of any direction. Full trials may then find directions in which it is not carried, and later quick trials
     /// include these directions.
     pub(super) learns: bool,
-    /// Whether the grasp is planar. Contact states then change at amounts that are exact to rounding.
+    /// Whether the grasp is planar. The amounts at which contact states change are then computed up to rounding, without an error of iteration.
     pub(super) is_planar: bool,
 }
 
@@ -272,8 +272,8 @@ pub(super) fn decided(tries: TrialOf<'_>, at: f64, width: Option<f64>) -> Result
 }
 
 /// The first sufficient amount among estimates of the bound from the carried part of the load. Each estimate is moved towards easier amounts (more
-/// squeeze, less load): the first by twice the relative distance [`LAST_DIGITS`], at which two amounts differ by rounding alone, each following
-/// estimate by 64 times the distance of the one before.
+/// squeeze, less load). The first is moved by twice the relative distance [`LAST_DIGITS`], at which two amounts differ by rounding alone. Each
+/// following estimate is moved 64 times as far as the one before.
 fn guessed(
     tries: TrialFunctions<'_>,
     plan: &SearchPlan,

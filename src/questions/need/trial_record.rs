@@ -152,7 +152,7 @@ impl<'q> TrialRecord<'q> {
         nearest.map_or_else(Vec::new, |(_, rest)| rest.states.clone())
     }
 
-    /// Whether the state of some contact at rest differs between these two amounts. Both amounts were tried.
+    /// Whether the state of some contact at rest differs between these two amounts, both of which must have been tried.
     pub(super) fn rests_otherwise(&self, one: f64, other: f64) -> bool {
         let known = self.known.borrow();
         let found =
@@ -164,7 +164,7 @@ impl<'q> TrialRecord<'q> {
         found(one).zip(found(other)).is_some_and(|(one, other)| differ(one, other))
     }
 
-    /// Whether the object jumps while the loads are put on with this amount, which was tried.
+    /// Whether the object jumps (moves under constant load) while the loads are put on with this amount, which must have been tried.
     pub(super) fn jumps_with(&self, amount: f64) -> bool {
         let lists = [self.known.borrow(), self.quick.borrow()];
         lists.iter().any(|list| list.iter().any(|(at, trials)| *at == amount && trials.jumps))

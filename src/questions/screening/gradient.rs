@@ -1,7 +1,7 @@
 //! Derivatives of the load factor at first slip with respect to all data of a grasp.
 //!
-//! At the load factor τ of first slip a contact leaves its cone (stops sticking), so that its margin m, the distance of its force from the edge of
-//! the cone, vanishes. Therefore `dτ = -dm / m'`, with m' the derivative of m with respect to τ. Let g = ∂m/∂F be the derivative of m with respect to
+//! At the load factor τ of first slip a contact leaves its cone, i.e. stops sticking. Its margin m, the distance of its force from the edge of the
+//! cone, is then zero. Therefore `dτ = -dm / m'`, with m' the derivative of m with respect to τ. Let g = ∂m/∂F be the derivative of m with respect to
 //! the force of that contact. The equilibrium of the springs is computed once more, with g as the command of its finger (the displacement without the
 //! object) and nothing else. All derivatives follow from the forces P and the motion (v, ω̄) of the object in that second solution. F and (u, ω) are
 //! the contact force and the motion at first slip. Of each motion, u or v is the displacement at the contact, ω or ω̄ the rotation. Subscripts n and

@@ -71,8 +71,8 @@ impl<V: Vectors, const C: usize, X: Packed> PreparedBlock<'_, V, C, X> {
         forces.add_to(self.block.contacts, self.squeezed, ON_THE_EDGE / ZERO_SLACK);
     }
 
-    /// Computes the contact forces that the commands alone cause, and the contact forces that the clearances alone cause. For both the bound of a
-    /// force's rounding error is [`ZERO_SLACK`] (5e-14) times the sum of the magnitudes of its terms, as for forces due to loads. Other methods give
+    /// Computes the contact forces that the commands alone cause, and the contact forces that the clearances alone cause. The bound of the rounding
+    /// error of each force is [`ZERO_SLACK`] (5e-14) times the sum of the magnitudes of its terms, as for forces due to loads. Other methods give
     /// forces due to commands a wider bound, [`ON_THE_EDGE`] (1e-12) times this sum.
     #[inline(always)]
     pub(super) fn apart(&self, [commands, clearances]: [&mut AnyForces<C, X>; 2]) {
@@ -83,7 +83,8 @@ impl<V: Vectors, const C: usize, X: Packed> PreparedBlock<'_, V, C, X> {
             largest = largest.max(clearance.abs());
             *overlap = -*clearance;
         }
-        // Without clearances the forces due to commands are copied from `squeezed`, the forces at rest. Both then agree to the last bit.
+        // Without clearances the forces due to commands are copied from `squeezed`, the forces without a load, so that these forces are equal to the
+        // last bit.
         commands.copy_from(self.squeezed);
         clearances.clear();
         if !largest.is_all(0.0) {

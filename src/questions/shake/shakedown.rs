@@ -151,8 +151,8 @@ impl Engine {
     }
 }
 
-/// These forces, with forces within rounding replaced by zero. If slips leave no residual forces, as in a grasp of two opposite contacts, the linear
-/// program would otherwise scale rounding errors up to forces that balance loads.
+/// The forces `forces`, with zero in place of each force that is only rounding. In some grasps, such as two opposite contacts, slips cause no contact
+/// forces. The linear program would otherwise scale the rounding errors up until they balance loads.
 fn without_rounding(forces: &ContactForces) -> Vec<SVector<f64, 3>> {
     let size = forces.sizes.iter().copied().fold(0.0, f64::max);
     mapped(&forces.of, &|force| if force.norm() > SOLVED_ROUNDING * size { *force } else { SVector::zeros() })

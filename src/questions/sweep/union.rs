@@ -43,8 +43,9 @@ impl Failures {
     /// If the failure is rarer than `rare`, its correlation with others is neglected.
     pub(super) fn add(&mut self, probability: f64, margin: &FacetMargin, contact: usize, rare: f64) {
         let reliability = margin.reliability();
-        // Correlation matters little for rare failures. A negative reliability means that the contact fails more often than not, so that any bound is
-        // far above the allowed probability. At a reliability from 1e3 on the probability of failure is zero in double precision.
+        // Correlation matters little for rare failures. A negative reliability means that the contact fails more often than not. The probability of
+        // failure is then far above the allowed one, whatever the correlation. At a reliability from 1e3 on the probability of failure is zero in
+        // double precision.
         if probability < rare || !(0.0..1e3).contains(&reliability) {
             self.rare += probability;
             return;
