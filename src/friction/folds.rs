@@ -3,8 +3,8 @@
 //! The [`central_path`](super::central_path) leads through the interior of the friction cones to a solution as its parameter τ tends to zero.
 //! Friction folds it: where contacts wedge, τ must increase again before it decreases. Forces and ln τ together are therefore followed by arc length,
 //! for which a fold is an ordinary point (H. B. Keller, Numerical solution of bifurcation and nonlinear eigenvalue problems, 1977). The path starts
-//! far inside the cones, where the solution is unique. If the matrix W, which maps contact forces to velocities, is positive definite, the path ends
-//! at a solution of the problem, unless it meets another path or diverges.
+//! far inside the cones, where the solution is unique. Let the matrix W, which maps contact forces to velocities, be positive definite. The path then
+//! ends at a solution of the problem, unless it meets another path or diverges.
 
 use super::blocks::Blocks;
 use super::central_path::{Smoothed, scales};

@@ -252,8 +252,8 @@ impl<'s, 'g> Arc<'s, 'g> {
         turned.then(|| Direction { twist: x * (self.unit / length), factor: factor / length })
     }
 
-    /// The rates of stretch and of force of a contact with the tangent stiffness `tangent`, as the path continues in the direction `direction`, per
-    /// unit of arclength.
+    /// The rates of stretch and of force of a contact, per unit of arclength, as the path continues in the direction `direction`. The contact has the
+    /// tangent stiffness `tangent`.
     pub(super) fn rates(
         &self,
         contact: usize,
@@ -300,8 +300,8 @@ impl<'s, 'g> Arc<'s, 'g> {
             let mut forces = self.forces_at(&twist, factor, &frictions);
             let initial_force: f64 = forces.iter().map(Matrix::norm).sum();
             let mut ended = None;
-            // At most six Newton corrections. After a step along the path, friction forces are off their cones by the error of the step, and
-            // `forces_at` puts them back, so that forces are out of balance. The first correction restores the balance, and leaves friction forces
+            // At most six Newton corrections. After a step along the path, friction forces are off their cones by the error of the step. `forces_at`
+            // puts them back on their cones, so that forces are out of balance. The first correction restores the balance, and leaves friction forces
             // off their cones only by the square of the error of the step. Further corrections remove this distance up to rounding.
             for _ in 0..6 {
                 let load = self.segment.trajectory.at(factor);
@@ -338,8 +338,8 @@ impl<'s, 'g> Arc<'s, 'g> {
                     .zip(&mut frictions)
                     .for_each(|(&i, friction)| *friction = tangential(&forces[i]));
             }
-            // If the sum of contact forces has shrunk to less than a quarter during the correction, the state still has the rounding errors of the
-            // larger forces. Such a state is not accepted but corrected again.
+            // If the correction has reduced the sum of contact forces to less than a quarter, the state still has the rounding errors of the larger
+            // forces. It is not accepted but corrected again.
             if initial_force <= 4.0 * carried {
                 balanced = Some((ForcesAndTwist { forces, twist: twist.clone() }, factor));
                 if is_on_them {
@@ -389,9 +389,9 @@ impl<'s, 'g> Arc<'s, 'g> {
 }
 
 impl Segment<'_> {
-    /// Forces, twist and their rates, per unit of the load factor, at the load factor `factor`, while contacts keep the states `states` and slide on
-    /// the round cone. The forces are those of the equilibrium near `at` with friction forces on their cones; if no such equilibrium is found, the
-    /// forces of `at`. Along motions that no spring resists, the object moves at the twist rate `pushed`, if it is given.
+    /// Forces and twist at the load factor `factor`, with their rates per unit of the load factor. Contacts keep the states `states` and slide on the
+    /// round cone. The forces are those of the equilibrium near `at` with friction forces on their cones; if no such equilibrium is found, the forces
+    /// of `at`. Along motions that no spring resists, the object moves at the twist rate `pushed`, if it is given.
     pub(super) fn tangent(
         &self,
         states: &[State],

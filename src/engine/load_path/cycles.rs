@@ -68,7 +68,8 @@ pub(crate) struct CycleRecord {
 }
 
 impl CycleRecord {
-    /// Extends this record over the next cycle `next`: adds the totals of that cycle, and takes the larger or smaller of the extremes.
+    /// Extends this record over the next cycle `next`: adds the totals of that cycle, and replaces each largest or smallest value by that over both
+    /// cycles.
     pub(crate) fn append(&mut self, next: &Self) {
         self.slid.iter_mut().zip(&next.slid).for_each(|(slid, more)| *slid += more);
         self.dissipated += next.dissipated;

@@ -13,7 +13,7 @@ use crate::prelude::*;
 pub(super) enum WatchedCondition {
     /// The contact with this index satisfies the condition of its present state, such as a positive gap if it is open.
     Contact(usize),
-    /// The load factor grows along the arc, so that its rate per unit of arclength is positive.
+    /// The load factor grows along the arc: its rate per unit of arclength is positive.
     Growth,
     /// The load factor is below 1, its value at the end of the leg.
     Leg,

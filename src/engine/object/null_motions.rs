@@ -154,7 +154,7 @@ fn sorted_null_vectors(
         }
         let length = dot(&stretches, &stretches).sqrt();
         // A unit motion is free if it hardly stretches any spring: the norm of the stretches is at most this fraction of the largest stretch of a
-        // spring under any unit motion. For motions that do stretch springs, even the softest ones, this fraction is above 1e-6.
+        // spring under any unit motion. For a motion that does stretch a spring, even a soft one, this fraction is above 1e-6.
         if length <= 1e-11 * side.longest {
             apart.unstretched.push(v);
             continue;

@@ -181,8 +181,8 @@ impl LocalLaw<'_> {
             && across > ZERO_SLACK * size
     }
 
-    /// Whether the force of a sticking contact on the edge of the round cone has a rate across the friction direction, and does not move into the
-    /// cone. The contact then begins to slide, since even a straight tangent leads out of the cone. `false` if the force moves radially.
+    /// Whether the force of a sticking contact is on the edge of the round cone and moves across the friction direction, but not into the cone. The
+    /// contact then begins to slide, since even a straight tangent leads out of the cone. `false` if the force moves radially.
     pub(crate) fn leaves_by_a_tangent(&self, line: &Line) -> bool {
         let (friction, cone) = (tangential(&line.force), self.cone());
         if !self.on_round_cone || !self.may_slide() || friction.norm() == 0.0 {

@@ -82,8 +82,8 @@ impl Engine {
     }
 }
 
-/// The quadratic program along a ramp. `program` is the program at load factor 0. `change` holds the changes of the contacts' offsets (command less
-/// clearance, m) and `direction` the change of the load (N, N m), both per unit of the factor.
+/// The quadratic program along a ramp. `program` is the program at load factor 0. Per unit of the factor, `change` holds the changes of the contacts'
+/// offsets (command less clearance, m), and `direction` the change of the load (N, N m).
 struct Line<'g> {
     program: EnergyProgram<'g>,
     change: Vec<SVector<f64, 3>>,

@@ -29,8 +29,8 @@ use crate::prelude::*;
 pub(crate) enum VerdictScope {
     /// All fields of the [`Verdict`]. The path is followed to `Settings::most_load`, to the loss of equilibrium or to the end of small motions.
     Whole,
-    /// Like `Whole`, but if motions cease to be small before the whole load is reached, the path is followed further, to the whole load or the loss.
-    /// [`PathFacts::farthest`] is then the largest ratio of a motion to its limit up to the whole load or the loss.
+    /// Like `Whole`, but the path does not end where motions cease to be small before the whole load is reached. It is followed further, to the whole
+    /// load or the loss. [`PathFacts::farthest`] is then the largest ratio of a motion to its limit up to the whole load or the loss.
     Measured,
     /// Like `Measured`, but without the proof that no equilibrium exists near the loss, and without the data that only sentences need. The fraction
     /// of the base load at which equilibrium is lost is not computed either. It would need a path on which the base load grows from zero.
@@ -208,8 +208,8 @@ impl Engine {
         let there = state.as_ref().or_else(|| verdict.lost.as_ref()?.state.as_deref());
         let rest = rest.filter(|_| ramp.command_change.is_none() && ramp.joint_change.is_none());
         // `part` is minus the fraction of the springs' resistance that contact forces take away; at -1 or less nothing resists, and the grasp
-        // buckles. It neglects where the load acts. If the points of action are known, the path has already decided whether the grasp buckles, and a
-        // contradicting `part` is dropped.
+        // buckles. This number is computed without regard to the points at which the load acts. If the points of action are known, the path has
+        // already decided whether the grasp buckles, and a contradicting `part` is dropped.
         let is_open = |part: &f64| *part > -1.0 || !self.may_buckle(&ramp.load_at(1.0));
         let by_the_load = rest
             .zip(there)
@@ -265,7 +265,7 @@ impl Engine {
         }
     }
 
-    /// The loss of equilibrium on a path of its own, on which the base load and the commands (prescribed displacements of fingers) grow together from
+    /// The loss of equilibrium on a separate path. On it the base load and the commands (prescribed displacements of fingers) grow together from
     /// zero. `None` if this path reaches both in full.
     fn lost_at_rest(&self, base: &Wrench<3>, settings: &Settings) -> Option<Box<Lost<3>>> {
         let growing = self.growing_from_nothing(base);
@@ -278,7 +278,8 @@ impl Engine {
         path.run();
         let loss = path.end().and_then(PathEnd::loss)?;
         let lost = grasp.lost(path.place().1, loss, path.state());
-        // The equilibrium at this loss carries a fraction of the base load, not the load of the verdict, so it is not part of the answer.
+        // The equilibrium at this loss carries only a fraction of the base load. It is left out of the answer, whose equilibria carry the load of the
+        // verdict.
         Some(Box::new(Lost { state: None, ..lost }))
     }
 

@@ -129,7 +129,7 @@ impl<const C: usize> Verdict<C> {
         is_held && self.left_out.is_some_and(|part| part <= -1.0)
     }
 
-    /// The clause about contact forces that turn with the parts they act on, and thereby add to the resistance of the springs or take from it.
+    /// The clause about contact forces that turn with the parts they act on. By turning they add to the resistance of the springs or take from it.
     /// [`Verdict::left_out`] has the change as a fraction of this resistance; it is negative if the forces take from it.
     fn taken_by_forces(&self) -> String {
         let (part, words) = (self.left_out.unwrap_or_default(), Words::with_digits(2));
@@ -213,7 +213,7 @@ impl<const C: usize> Verdict<C> {
             && self.first_slip.as_ref().is_none_or(|first| factor > first.factor * (1.0 + NEGLIGIBLE))
     }
 
-    /// Writes the multiples of the load up to the first slip and to the loss, or up to the load to which the path was followed.
+    /// Writes the multiples of the load at the first slip and at the loss. Without a loss writes the multiple up to which the path was followed.
     fn margins(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (words, lost) = (Words::of(f), self.lost.as_ref().map(|lost| lost.factor));
         let until = self.lost.as_ref().map_or(Cow::Borrowed(""), Lost::until);

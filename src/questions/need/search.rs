@@ -79,8 +79,8 @@ pub(super) struct SearchPlan {
     pub(super) is_least: bool,
     /// How the bound is estimated from a carried part of the load.
     pub(super) guess: BoundEstimate,
-    /// Whether it is known that every easier amount (such as more squeeze or less load) than a sufficient one is sufficient, too, as far as motions
-    /// are small.
+    /// Whether it is known that with a sufficient amount every easier one (such as more squeeze or less load) is sufficient, too. This holds as far
+    /// as motions are small.
     pub(super) is_monotone: bool,
     /// Whether the search goes in both directions and between the amounts tried. Otherwise it tries only a few easier amounts, such as more squeeze
     /// or less load.
@@ -355,7 +355,7 @@ fn edge_from(
             now @ Trial::Insufficient { .. } => insufficient = Some((amount, now)),
             Trial::Unknown(_) => {}
         }
-        // If the amount just inside the proved end is not sufficient, the bound is not at this end, and the further guesses near it are skipped.
+        // If the amount just inside the proved end is not sufficient, the bound is not at this end. The further guesses near this end are skipped.
         if Some(amount) == inside && sufficient != amount {
             break;
         }

@@ -1,6 +1,6 @@
-//! A question of screening, such as the first slip (at which load factor does the first contact stop sticking?), and the block of grasps for which it
-//! is answered. A block holds as many grasps as a SIMD vector has numbers (lanes). A command is the displacement that a finger would make without the
-//! object. A clearance is the gap between finger and object before the command; it is negative if they overlap.
+//! A question of screening, and the block of grasps for which it is answered. An example is the first slip: at which load factor does the first
+//! contact stop sticking? A block holds as many grasps as a SIMD vector has numbers (lanes). A command is the displacement that a finger would make
+//! without the object. A clearance is the gap between finger and object before the command; it is negative if they overlap.
 
 use super::answer_slots::AnswerSlots;
 use super::block::{Block, Commanded, MOST_SCREENED};
@@ -94,8 +94,8 @@ impl<V: Vectors, const C: usize, X: Packed> PreparedBlock<'_, V, C, X> {
             };
             squeeze(commanded, self.block.commands().sheared, commands);
             squeeze(&overlaps[..contacts], [&[X::all(0.0); MOST_SCREENED][..contacts]; C], clearances);
-            // `free` is positive if work is done along a motion that no contact resists. Clearances only stretch springs and do no such work. Without
-            // this line, rounding of forces that cancel each other could make `free` positive.
+            // `free` is positive if the load or spring forces do work along a motion that no contact resists. Clearances only stretch springs, whose
+            // forces do no such work. Without this line, rounding of forces that cancel each other could make `free` positive.
             clearances.free = X::all(0.0);
         }
         for forces in [commands, clearances] {

@@ -162,7 +162,8 @@ fn without_rounding(forces: &ContactForces) -> Vec<SVector<f64, 3>> {
 /// cone under one load. It has the margin b under the base load, the change a of the margin due to that load, and the changes S due to unit slips.
 /// All numbers are scaled to be near one.
 struct Program {
-    /// For each row of the program, the number of its load (0 for the base load alone, then from 1) and the index of its contact or drive.
+    /// For each row of the program the number of its load, and the index of its contact or drive. Number 0 is the base load alone; other loads are
+    /// counted from 1.
     of: Vec<(usize, usize)>,
     b: Vec<f64>,
     a: Vec<f64>,

@@ -122,7 +122,7 @@ impl UncertainForce<'_> {
         margin.parts.extend(self.changes.iter().map(|change| change.each_ref().each(|c| parts(facet, c))));
         let known = parts(facet, &self.known(row));
         margin.curved = 1.0;
-        // If the reliability exceeds the required reliability, `sigmas`, by five, failures are so rare that they are negligible.
+        // If the reliability exceeds the required reliability `sigmas` by five standard deviations, failures are so rare that they are negligible.
         let farthest = self.sigmas + 5.0;
         let mut value = self.linearise(known, involves_friction(facet), margin);
         let mut arrived = false;

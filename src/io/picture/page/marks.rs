@@ -1,6 +1,6 @@
 //! The marks of a spatial picture, in the coordinates of the grasp: the marks of the grasp alone, and the marks of each answer. A mark is a line, an
-//! arrow, a cone, a dot or a name; a fixture is something that does not move, a fingertip a contact with all its points, a link a joint between two
-//! bodies, such as a cable.
+//! arrow, a cone, a dot or a name; a fixture is something that does not move. A fingertip is a contact with all its points, a link a joint between
+//! two bodies, such as a cable.
 
 use nalgebra::{Matrix3, Vector3};
 

@@ -1,8 +1,8 @@
 //! The coordinates that belong to each body, the two bodies that each contact joins, and the loads on bodies.
 //!
 //! One of the bodies has the coordinates of the object, which come first; the coordinates of the other bodies follow those of the joints. The load
-//! that the caller passes to a question such as `hold` acts on the body with the object's coordinates, unless this load is shared among several
-//! bodies. A load program is a sequence of ramps and turns of the loads, along which a load path is followed.
+//! that the caller passes to a question such as `hold` acts on the body with the object's coordinates, or is shared among several bodies. A load
+//! program is a sequence of ramps and turns of the loads, along which a load path is followed.
 
 use alloc::sync::Arc;
 
