@@ -142,8 +142,8 @@ impl Engine {
         let buckles = too_far.as_ref().is_some_and(|far| far.what == TooFar::Buckles);
         let state = state.filter(|_| !buckles || end.0 > 0);
         let held_to = reached(end);
-        // If the first slip causes a jump whose motion is not small, small motions end at the load factor of the first slip. By rounding, that of the
-        // first slip may come out larger. The first slip then still counts.
+        // If the first slip causes a jump whose motion is not small, small motions end at the load factor of the first slip. If the computed load
+        // factor of the first slip exceeds that of the end of small motions by rounding only, the first slip still counts.
         let is_small = |first: &FirstSlip| too_far.is_none() || first.factor <= held_to * (1.0 + NEGLIGIBLE);
         let start = rest_that_slips(&onset, &path);
         let first_slip = self.first_slip(&onset, &events, start.as_ref()).filter(is_small);
