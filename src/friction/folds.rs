@@ -3,8 +3,8 @@
 //! The [`central_path`](super::central_path) leads through the interior of the friction cones to a solution as its parameter τ tends to zero.
 //! Friction folds it: where contacts wedge, τ must increase again before it decreases. Forces and ln τ together are therefore followed by arc length,
 //! for which a fold is an ordinary point (H. B. Keller, Numerical solution of bifurcation and nonlinear eigenvalue problems, 1977). The path starts
-//! far inside the cones, where the solution is unique. If the matrix W, which maps contact forces to velocities, is positive definite, the path ends
-//! at a solution of the problem, unless it meets another path or diverges.
+//! far inside the cones, where the solution is unique. Let the matrix W, which maps contact forces to velocities, be positive definite. The path then
+//! ends at a solution of the problem, unless it meets another path or diverges.
 
 use super::blocks::Blocks;
 use super::central_path::{Smoothed, scales};
@@ -81,8 +81,8 @@ impl<const C: usize> Path<'_, C> {
     /// method does not reach the path.
     fn starting_point(&self, energy: f64) -> Option<DVector<f64>> {
         let size = self.problem.q.len();
-        // The initial τ is a million times `energy`, the mean over the contacts of ρ_i ‖q_i‖², where ρ_i converts a velocity of contact i to a force.
-        // With so large a τ the path is far inside the cones, where Newton's method finds its point.
+        // The initial τ is a million times `energy`, the mean of ρ_i ‖q_i‖² over the contacts. Here q_i is the velocity of contact i without contact
+        // forces, and ρ_i converts it to a force. With so large a τ the path is far inside the cones, where Newton's method finds its point.
         let tau = 1e6 * energy;
         let mut x = DVector::zeros(size + 1);
         for i in 0..self.problem.len() {
@@ -98,8 +98,8 @@ impl<const C: usize> Path<'_, C> {
         (point.size <= enough).then_some(x)
     }
 
-    /// Three results at a point x (the forces, then ln τ). They are the residuals of the equations, their root mean square relative to √τ, and their
-    /// derivatives with respect to forces and ln τ.
+    /// The equations at a point x (the forces, then ln τ). Returns three results: their residuals, the root mean square of these residuals divided by
+    /// √τ, and the derivatives of the residuals with respect to forces and ln τ.
     fn residual_and_derivatives(&self, x: &DVector<f64>) -> (DVector<f64>, f64, DMatrix<f64>) {
         let size = x.len() - 1;
         let r = x.rows(0, size).into_owned();

@@ -1,7 +1,8 @@
-//! A few contacts: from the forces on a polygon to the forces on the round cone.
+//! Solves a frictional contact problem of a few contacts, first with polygonal cones and then with round cones.
 //!
-//! Lemke's method solves the problem with polygons, and Newton's method continues from its forces. If Newton's method does not converge, the facets
-//! are rotated towards the slip directions, and their number increases.
+//! The polygonal cones, "polygons" for short, have plane facets, so that the problem is a linear complementarity problem. Lemke's method solves it,
+//! and Newton's method on the round cones starts from its forces. If Newton's method does not converge, the facets are rotated towards the slip
+//! directions, and their number increases.
 
 use super::facets::{FacetedProblem, Facets};
 use super::law::tangent;
@@ -56,8 +57,8 @@ impl<'a, const C: usize> Polygons<'a, C> {
         first.unwrap_or_else(|| self.no_convergence())
     }
 
-    /// One try: solves the problem with polygons of `count` facets, and continues with Newton's method from its forces. If the polygons give no
-    /// solution and `from_zero` is set, Newton's method starts from zero forces; in the plane it does not.
+    /// One try: solves the problem with polygons of `count` facets, and starts Newton's method from the forces of this solution. If the polygons give
+    /// no solution and `from_zero` is set, Newton's method starts from zero forces; in the plane it does not.
     fn by_facets(&mut self, count: usize, from_zero: bool) -> Outcome<Solution> {
         let Ok(polygon) = self.problem.polygon(Facets::regular(count, &self.angles)) else {
             return Outcome::Breakdown { pivots: self.pivots, cause: BreakdownCause::Overflow };
@@ -119,8 +120,8 @@ impl<'a, const C: usize> Polygons<'a, C> {
     }
 }
 
-/// Converts a certificate of the problem with polygons, which has a weight for each row, to one with a weight for each contact: the weight of the
-/// contact's normal row. Other outcomes are returned unchanged.
+/// Converts a certificate, a vector that proves that the problem has no solution, from one weight for each row to one weight for each contact. The
+/// problem with polygons has several rows for each contact; the weight of the normal row is taken. Other outcomes are returned unchanged.
 fn weighed<const C: usize>(outcome: Outcome<Solution>, polygon: &FacetedProblem<C>) -> Outcome<Solution> {
     let weigh =
         |certificate: Certificate| Certificate::new(polygon.normals(&certificate.y), certificate.pivots);

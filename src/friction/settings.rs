@@ -1,9 +1,12 @@
-//! Limits and tolerances of a solve.
+//! Limits and tolerances for the solution of a frictional contact problem: contact forces and velocities that satisfy Coulomb's law with round cones.
+//!
+//! In space each round cone is first replaced by a polygonal cone with plane facets, which gives a linear complementarity problem. Newton's method on
+//! the round cones starts from the forces that solve this problem. If this fails, iterative methods follow.
 
 use crate::lcp::{self, BreakdownCause};
 
-/// Upper limit of the number of facets of a cone. More facets would change forces by less than a thousandth, and give complementarity problems of
-/// thousands of rows.
+/// Upper limit of the number of facets of a polygonal cone. More facets would change forces by less than a thousandth, and give complementarity
+/// problems of thousands of rows.
 pub(super) const MOST_CONE_FACETS: usize = 128;
 
 /// Limits and tolerances of a solve. [`Settings::default`] suits almost every problem.
@@ -11,25 +14,25 @@ pub(super) const MOST_CONE_FACETS: usize = 128;
 #[non_exhaustive]
 #[must_use]
 pub struct Settings {
-    /// Number of facets of the polygon from which Newton's method starts in space (default 8; at least 3, at most 128). More facets start closer
-    /// to the round cone, but make the complementarity problem larger.
+    /// Number of facets of each polygonal cone in the complementarity problem from which Newton's method starts in space (default 8; at least 3, at
+    /// most 128). With more facets Newton's method starts closer to the solution on the round cones, but the complementarity problem is larger.
     pub facets: usize,
-    /// In space, the largest number of restarts if Newton's method does not converge (default 4). Each restart uses polygons with 1.5 times as many
-    /// facets, rotated towards the slip directions.
+    /// In space, the largest number of restarts if Newton's method does not converge (default 4). Each restart solves the problem with polygonal
+    /// cones again, with 1.5 times as many facets, rotated towards the slip directions.
     pub turns: usize,
-    /// Largest number of Newton steps in one run of Newton's method (default 30). A run starts from the forces of a polygon, or is a round of
-    /// anchored Newton steps, in which a proximal term holds the forces near given forces, the anchor.
+    /// Largest number of Newton steps in one run of Newton's method (default 30). A run starts from the solution with polygonal cones, or is a round
+    /// of anchored Newton steps. In these a proximal term holds the forces near given forces, the anchor.
     pub steps: usize,
-    /// Largest number of starts of the iterative methods (default and maximum 4). These methods are used if polygons of facets have given no
-    /// solution. Without trying polygons they are used for more than 40 coupled contacts in the plane, or more than 16 in space on 8 facets. Each
-    /// start makes Gauss–Seidel sweeps, follows the central path and makes anchored Newton steps.
+    /// Largest number of starts of the iterative methods (default and maximum 4). These methods are used if polygonal cones have led to no solution.
+    /// Polygonal cones are not tried for more than 40 contacts that affect one another in the plane, or 16 in space with 8 facets. Each start makes
+    /// Gauss–Seidel sweeps, follows the central path and makes anchored Newton steps.
     pub starts: usize,
     /// Largest number of rounds of anchored Newton steps in each of the `starts` (default 30). Rounds take most of the time if no solution is found.
     pub rounds: usize,
-    /// Largest [`Residuals`](super::Residuals) with which forces are accepted as a solution (default 1e-12).
+    /// Forces are accepted as a solution if none of their [`Residuals`](super::Residuals), which have no unit, exceeds this (default 1e-12).
     pub tolerance: f64,
-    /// Settings of the complementarity problem. If the complementarity problem has up to twelve rows (three contacts in the plane), the last resort
-    /// is to try all complementary bases.
+    /// Settings of the complementarity problem with polygonal cones. If this problem has up to twelve rows (three contacts in the plane), the last
+    /// resort is to try all complementary bases.
     pub lcp: lcp::Settings,
 }
 

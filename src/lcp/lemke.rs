@@ -1,4 +1,5 @@
-//! Lemke's method. A dictionary is the condensed tableau of one basis. d is the covering vector, z₀ the covering variable.
+//! Lemke's method. A dictionary is the condensed tableau of one basis. d is the covering vector, z₀ the covering variable. A basis is infeasible if
+//! some basic variable is negative. Noise is a value that rounding alone may have produced.
 //!
 //! The augmented problem w = q + M z + d z₀ has a path of points with w_i z_i = 0 for all i. The path is followed from z = 0 with large z₀ until
 //! z₀ = 0. The next entering variable is always the complement of the variable that left last (Cottle, Pang & Stone, algorithm 4.4.5).

@@ -1,4 +1,5 @@
-//! The ways in which a solve can end. The covering variable z₀ of w = q + M z + d z₀, with the covering vector d, is zero at a solution.
+//! The ways in which the solution of a linear complementarity problem 0 ≤ z ⟂ w = M z + q ≥ 0 can end. A path is one run of Lemke's method. It
+//! follows solutions of the augmented problem w = q + M z + d z₀, with the covering vector d, until the covering variable z₀ is zero.
 
 use super::residuals::Residuals;
 use super::solution::{Solution, SolutionView};

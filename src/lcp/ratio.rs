@@ -1,4 +1,5 @@
-//! The ratio test: which basic variable blocks the entering variable, and the choice if several block it at once.
+//! The ratio test of a pivot: which basic variable reaches zero first (blocks) as the entering variable increases, and the choice if several do so at
+//! once. Noise is a value that rounding alone may have produced.
 //!
 //! **Ties.** Symmetric problems have ties at almost every step, and breaking them by index or size may lead to cycling. The rule used here is the
 //! lexicographic rule (Cottle, Pang & Stone, section 4.9). It follows the path of the problem with q + ε p in place of q, where ε → 0+ and the vector

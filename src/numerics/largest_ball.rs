@@ -1,8 +1,9 @@
 //! The largest ball about the origin in a convex set, with lower and upper bounds.
 //!
-//! A polytope of support points grows where it is closest to the origin. The distance of its closest face is a lower bound on the radius. The support
-//! point in the direction of that face's normal gives an upper bound: the extent of the set in this direction. The point is added to the polytope,
-//! and new faces replace the faces that are visible from it.
+//! A support point is the point of the set that lies farthest in a given direction; its distance in this direction is the extent of the set. A
+//! polytope with support points as vertices grows where its surface is closest to the origin. The distance of its closest face is a lower bound on
+//! the radius. The support point in the direction of that face's normal gives an upper bound: the extent of the set in this direction. This support
+//! point is added to the polytope, and new faces replace the faces that are visible from it, i.e. have it on their outer side.
 //!
 //! In three dimensions: G. van den Bergen, *Proximity queries and penetration depth computation on 3D game objects*, 2001.
 //!

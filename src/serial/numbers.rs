@@ -53,7 +53,8 @@ impl Kind for Computed {
         &[("infinite", f64::INFINITY), ("-infinite", f64::NEG_INFINITY), ("not a number", f64::NAN)];
 }
 
-/// The word for a number that is not finite. The kind `K` may have its own word; otherwise it is the word for numbers in answers.
+/// The word for a number that is not finite. If the kind `K` has no word of its own for it, the word is that of [`Computed`], the kind of numbers in
+/// answers.
 fn word<K: Kind>(x: f64) -> &'static str {
     let stands_for =
         |(_, value): &&(&str, f64)| value.total_cmp(&x).is_eq() || (value.is_nan() && x.is_nan());

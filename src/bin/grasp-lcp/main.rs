@@ -70,8 +70,8 @@ fn asked() -> Result<ExitCode, Failure> {
     }
 }
 
-/// Parses the command line. The scene may come at any place. If parsing fails, the argument that ends in `.json`, or `-`, is moved behind the
-/// command.
+/// Parses the command line. The file name of the scene may stand anywhere among the arguments. If parsing fails, the argument that ends in `.json`,
+/// or `-`, is moved behind the command.
 fn parse_arguments() -> Result<Arguments, clap::Error> {
     let mut words: Vec<_> = std::env::args_os().collect();
     let parsed = Arguments::try_parse_from(&words);

@@ -124,7 +124,7 @@ impl OptionVectors {
                     (of_scene.loads, Some(of_scene.base))
                 }
                 // If neither the command line nor the scene's questions have a load, only constant loads of the scene act, such as weights of bodies.
-                // Without these an error follows below.
+                // Without such constant loads an error follows below.
                 None => (Vec::new().into(), None),
             },
             (SoughtQuantity::Load, None) if load.is_none() && need_arguments.any_force.is_none() => {

@@ -37,11 +37,11 @@ impl Engine {
             if worst <= SOLVED_ROUNDING {
                 break;
             }
-            // Derivatives are difference quotients: the command of a link is changed by this fraction of its spring's stretch under its tension.
-            // The fraction is so small that contacts hardly ever change state. If no contact does, the quotient is exact.
+            // Derivatives are difference quotients: the command of a link is changed by this fraction of its spring's stretch under its tension. The
+            // fraction is so small that contacts hardly ever change state. If no contact changes its state, the quotient is exact.
             let nudge = 1e-3;
-            // Column k is the decrease of every missing tension (given minus present tension) if the command of link k grows by `nudge` times the
-            // stretch of its spring.
+            // Column k is for the command of link k, which grows by `nudge` times the stretch of its spring. The entries are the decreases of all
+            // missing tensions (given minus present tension).
             let mut change = DMatrix::zeros(pressed.len(), pressed.len());
             for (k, (i, force)) in pressed.iter().enumerate() {
                 let mut pulled = commands.clone();
@@ -55,8 +55,8 @@ impl Engine {
             }
             missing = self.missing(&commands, &pressed)?;
         }
-        // Newton's method has failed if the tension of a link is off by more than this fraction: the other contacts cannot hold against the
-        // link.
+        // Newton's method has failed if the tension of a link is off by more than this fraction: the other contacts and links cannot balance this
+        // tension.
         match missing.iter().zip(&pressed).find(|(missing, (_, force))| missing.abs() > NEGLIGIBLE * force) {
             Some((_, (i, force))) => Err(self.not_held(*i, *force)),
             None => self.with_commands(&commands),

@@ -40,8 +40,8 @@ pub(crate) fn clearly_breaks(form: &Form, is_planar: bool, states: &[State], lar
     if !known {
         return false;
     }
-    // An unknown or slack is clearly negative if it is below minus this fraction of the largest force, gap or slip. The kinematic form is
-    // accurate to some 1e-14.
+    // An unknown or slack is clearly negative if it is below minus this fraction of the largest force, gap or slip. Rounding errors of the kinematic
+    // form are some 1e-14 of these sizes, far smaller.
     let broken = -NEGLIGIBLE * largest.max(most);
     let w = |i: usize| q[i] + jumps.iter().zip(z.iter()).map(|((j, _), z)| m[(i, *j)] * z).sum::<f64>();
     jumps.iter().zip(z.iter()).any(|((_, has_sign), z)| *has_sign && *z < broken)

@@ -2,10 +2,10 @@
 //! algebra at one point of an arc.
 //!
 //! Let a contact slide along p = F_t / |F_t| with `|F_t| = μ F_n`. Its tangent stiffness `C = k_n (e_n + μ P) e_nᵀ + κ d dᵀ`, see [`Tangent`],
-//! depends on p alone. Here k_n is the normal stiffness, `P = K_t p / (p·K_t p)` with the tangential stiffnesses K_t, and κ the stiffness along the
-//! tangent d across the slip. The offsets a of the contact springs (commanded displacements minus clearances and slips) are affine in the load factor
-//! λ. The load W is affine in λ or turns with it. Twist q and load factor change together, with grasp maps G_i and a unit u of displacement. Here q'
-//! and λ' are rates per unit of arclength, a_i' and W' rates per unit of λ:
+//! depends on p alone. Here k_n is the normal stiffness, e_n the unit normal, `P = K_t p / (p·K_t p)` with the tangential stiffnesses K_t, and κ the
+//! stiffness along the tangent d across the slip. The offsets a of the contact springs (commanded displacements minus clearances and slips) are
+//! affine in the load factor λ. The load W is affine in λ or turns with it. Twist q and load factor change together, with grasp maps G_i and a unit u
+//! of displacement. Here q' and λ' are rates per unit of arclength, a_i' and W' rates per unit of λ:
 //!
 //! ```text
 //! T q' = b λ',     T = Σ G_i C_i G_iᵀ,     b = Σ G_i C_i a_i' + W',     |q'|²/u² + λ'² = 1
@@ -48,8 +48,8 @@ pub(super) struct Arc<'s, 'g> {
 #[derive(Debug)]
 pub(super) struct ConstantTerms {
     /// The tangent stiffness of the contacts that do not slide. T would be singular if no spring resists some motion, so an artificial stiffness is
-    /// added along each such motion. The right-hand side b is chosen so that the object moves along it with the velocity in `Arc::free_motions`,
-    /// which may be zero.
+    /// added along each such motion. The right-hand side b is chosen so that the object moves along this motion with the velocity in
+    /// `Arc::free_motions`, which may be zero.
     stiffness: PathStiffness,
     /// The terms of the right-hand side b of `T q' = b λ'` from commands of contacts that do not slide.
     push: Vector,
@@ -155,8 +155,8 @@ impl<'s, 'g> Arc<'s, 'g> {
         self.segment.trajectory.rate_at(factor) + self.free_motions.iter().fold(push.clone(), along)
     }
 
-    /// Norm of the rate of the load plus the rate of the forces by which commands push contacts that do not slide. The unit is N per unit of the
-    /// load factor.
+    /// The norm of the sum of two rates: the rate of the load, and the rate of the forces by which commands push contacts that do not slide. The unit
+    /// is N per unit of the load factor.
     pub(super) fn load_rate(&self, factor: f64) -> f64 {
         self.push_at(factor).norm()
     }
@@ -252,8 +252,8 @@ impl<'s, 'g> Arc<'s, 'g> {
         turned.then(|| Direction { twist: x * (self.unit / length), factor: factor / length })
     }
 
-    /// The rates of stretch and of force of a contact with the tangent stiffness `tangent`, as the path continues in the direction `direction`, per
-    /// unit of arclength.
+    /// The rates of stretch and of force of a contact, per unit of arclength, as the path continues in the direction `direction`. The contact has the
+    /// tangent stiffness `tangent`.
     pub(super) fn rates(
         &self,
         contact: usize,
@@ -287,11 +287,11 @@ impl<'s, 'g> Arc<'s, 'g> {
         across: &Direction,
         frictions: &[SVector<f64, 3>],
     ) -> Option<(ForcesAndTwist, f64)> {
-        // An imbalance of forces is taken as rounding if it is below this fraction of the sum of the sizes of load and contact forces. Rounding
-        // errors grow with the square root of their number.
+        // An imbalance of forces is taken as rounding if it is below this fraction of the sum of the magnitudes of load and contact forces. Rounding
+        // errors grow with the square root of the number of these terms.
         let rounding = 2e-16 * ((self.sites().len() + 2) as f64).sqrt();
-        // Near the end of a leg the load may be a small difference of larger terms, with their rounding errors. The imbalance is therefore compared
-        // with the load at the start of the leg, if that is larger.
+        // Near the end of a leg that unloads, the load is a small difference of larger terms and has their rounding errors. The imbalance is
+        // therefore compared with the load at the start of the leg, if that load is larger.
         let from = self.segment.trajectory.at(0.0).norm();
         let (mut frictions, mut balanced, mut last) = (frictions.to_vec(), None, f64::INFINITY);
         for round in 0..20 {
@@ -300,8 +300,8 @@ impl<'s, 'g> Arc<'s, 'g> {
             let mut forces = self.forces_at(&twist, factor, &frictions);
             let initial_force: f64 = forces.iter().map(Matrix::norm).sum();
             let mut ended = None;
-            // At most six Newton corrections. After a step along the path, friction forces are off their cones by the error of the step, and
-            // `forces_at` puts them back, so that forces are out of balance. The first correction restores the balance, and leaves friction forces
+            // At most six Newton corrections. After a step along the path, friction forces are off their cones by the error of the step. `forces_at`
+            // puts them back on their cones, so that forces are out of balance. The first correction restores the balance, and leaves friction forces
             // off their cones only by the square of the error of the step. Further corrections remove this distance up to rounding.
             for _ in 0..6 {
                 let load = self.segment.trajectory.at(factor);
@@ -312,8 +312,8 @@ impl<'s, 'g> Arc<'s, 'g> {
                 }
                 let mut change = self.unscaled(bordered.solve(&left, 0.0));
                 if across.keeps_the_factor() {
-                    // `across` is the direction in which only the load factor grows. A correction transverse to it leaves the load factor fixed, and
-                    // a computed change would be rounding.
+                    // `across` is the direction in which only the load factor grows. A correction transverse to it leaves the load factor fixed, so a
+                    // computed change of the load factor is only rounding.
                     change.factor = 0.0;
                 }
                 twist += &change.twist;
@@ -323,14 +323,14 @@ impl<'s, 'g> Arc<'s, 'g> {
             }
             let carried = ended?;
             let off = self.off_the_cones(&forces);
-            // Each round of corrections reduces the distance `off` of friction forces from their cones; next to a fold (a maximum of the load factor)
-            // a round leaves a quarter of it. After four rounds the corrections end if a round leaves more than 0.3 of this distance.
+            // Each round of corrections reduces `off`, the distance of friction forces from their cones. Next to a fold (a maximum of the load
+            // factor) a round reduces it to a quarter. After four rounds the corrections end if a round has left more than 0.3 of `off`.
             if round > 3 && off > 0.3 * last {
                 break;
             }
             last = off;
-            // If springs resist a motion only weakly, a correction along this motion may be so large that friction forces turn off the cones. The
-            // correction is then repeated with the new directions of friction.
+            // If springs resist a motion only weakly, a correction along this motion may be so large that friction forces turn and leave their cones.
+            // The correction is then repeated with the new directions of friction.
             let is_on_them = off <= SLACK_ON_AN_ARC * carried;
             if !is_on_them {
                 self.sliding
@@ -338,8 +338,8 @@ impl<'s, 'g> Arc<'s, 'g> {
                     .zip(&mut frictions)
                     .for_each(|(&i, friction)| *friction = tangential(&forces[i]));
             }
-            // If the sum of contact forces has shrunk to less than a quarter during the correction, the state still has the rounding errors of the
-            // larger forces. Such a state is not accepted but corrected again.
+            // If the correction has reduced the sum of contact forces to less than a quarter, the state still has the rounding errors of the larger
+            // forces. It is not accepted but corrected again.
             if initial_force <= 4.0 * carried {
                 balanced = Some((ForcesAndTwist { forces, twist: twist.clone() }, factor));
                 if is_on_them {
@@ -389,9 +389,9 @@ impl<'s, 'g> Arc<'s, 'g> {
 }
 
 impl Segment<'_> {
-    /// Forces, twist and their rates, per unit of the load factor, at the load factor `factor`, while contacts keep the states `states` and slide on
-    /// the round cone. The forces are those of the equilibrium near `at` with friction forces on their cones; if no such equilibrium is found, the
-    /// forces of `at`. Along motions that no spring resists, the object moves at the twist rate `pushed`, if it is given.
+    /// Forces and twist at the load factor `factor`, with their rates per unit of the load factor. Contacts keep the states `states` and slide on the
+    /// round cone. The forces are those of the equilibrium near `at` with friction forces on their cones; if no such equilibrium is found, the forces
+    /// of `at`. Along motions that no spring resists, the object moves at the twist rate `pushed`, if it is given.
     pub(super) fn tangent(
         &self,
         states: &[State],

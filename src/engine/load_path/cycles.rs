@@ -25,8 +25,8 @@ pub(crate) struct Cycles<'g> {
     base: Wrench<3>,
     /// Number of cycles followed so far, including a cycle that the path did not finish.
     completed: usize,
-    /// The reason why the theory of small motions ceases to apply: in the first cycle, the first motion beyond its limit, leak of a suction cup, or
-    /// buckling, at any point of the cycle. In later cycles only buckling at the end of a cycle is stored here.
+    /// The reason why the theory of small motions ceases to apply: a motion beyond its limit, a leak of a suction cup, or buckling. During the first
+    /// cycle the first such event is stored, at whatever point it occurs. Later cycles are only checked for buckling, at the end of each cycle.
     too_far: Option<TooFar>,
 }
 
@@ -62,13 +62,14 @@ pub(crate) struct CycleRecord {
     /// The largest displacement at a contact point, m, in a jump (a motion under constant load) of the cycle.
     pub(crate) jump_motion: f64,
     pub(crate) step_error: f64,
-    /// The states of all contacts and drives in the cycle, one list after the other: a new list begins with a new leg and with each change of states.
-    /// Each list has the index, within the cycle, of its leg.
+    /// The successive lists of the states of all contacts and drives in the cycle. A new list is added when a leg begins, and when a state changes.
+    /// With each list comes the index, within the cycle, of the leg on which the states hold.
     states: Vec<(usize, Vec<State>)>,
 }
 
 impl CycleRecord {
-    /// Adds the totals of the next cycle `next`, and takes the extremes of both, so that this record covers both cycles.
+    /// Extends this record over the next cycle `next`: adds the totals of that cycle, and replaces each largest or smallest value by that over both
+    /// cycles.
     pub(crate) fn append(&mut self, next: &Self) {
         self.slid.iter_mut().zip(&next.slid).for_each(|(slid, more)| *slid += more);
         self.dissipated += next.dissipated;

@@ -1,6 +1,7 @@
 //! Follows a growing load while contacts stick or slide, with the slips of the sliding contacts as unknowns. The question `hold` (does the grasp hold
-//! a load?) uses this method if every contact has Coulomb friction, and there are no joints, further bodies, suction cups or kinetic friction. Along
-//! a ramp the load is a base load, which acts from the start, plus λ times another load. The onset is the first slip.
+//! a load?) uses this method if every contact has Coulomb friction. The grasp must have no joints, further bodies, suction cups or kinetic friction.
+//! Along a ramp the load is a base load, which acts from the start, plus λ times another load. The onset is the first slip. Motions are small within
+//! limits of rotation and slip up to which the linear theory is trusted.
 //!
 //! As long as no contact opens or closes, forces F and motion are affine in the load factor λ and in the slips s_j. F_i⁰ is the force on contact i
 //! under the base load, and F_i¹ its rate, both without slip. The matrix R_ij is the change of F_i per unit slip of contact j, N/m, if everything

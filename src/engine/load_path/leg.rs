@@ -1,4 +1,5 @@
-//! Load programs: legs (sections) along which load and finger commands change linearly.
+//! Load programs: legs (sections) along which load and finger commands change linearly, or the load turns. A goal is the value of a quantity at the
+//! end of a leg, or its change along the leg.
 
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::numerics::{Each, IntoList, largest, mapped};
@@ -248,8 +249,8 @@ impl Leg<3> {
 }
 
 impl LegLoad<3> {
-    /// Returns an error, which names the leg by its index, if the load of this leg turns and its first load is neither the load `before` the leg nor
-    /// zero.
+    /// For a leg whose load turns: checks that the turn begins with the load `before` the leg, or with zero. Otherwise returns an error, which names
+    /// the leg by its index.
     pub(super) fn check_beginning(&self, before: &Wrench<3>, leg: usize, space: Space) -> Result<(), Error> {
         let Self::Turn(turn) = self else { return Ok(()) };
         let begins = turn.load_at(0.0);

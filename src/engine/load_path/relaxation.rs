@@ -134,8 +134,8 @@ impl<'f, 's, 'g> Relaxation<'f, 's, 'g> {
     }
 
     /// Solves `(1 - hJ) Δ = g` in place, with the factors in `damped`: `side` holds the right-hand side g before, and Δ after. Its entries are
-    /// changes of friction forces, two for each sliding contact, then of twist and load factor. The last entries are works of the step. They
-    /// stay unchanged, because no rate depends on works.
+    /// changes of friction forces, two for each sliding contact, then of twist and load factor. The last entries are the energies (work and friction
+    /// heat) that are integrated along with the path. They stay unchanged, because no rate depends on them.
     pub(super) fn solve(&self, damped: &ImplicitFactors, side: &mut [f64]) {
         let length = damped.length;
         let mut left = Vector::zeros();

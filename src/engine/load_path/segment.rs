@@ -30,7 +30,7 @@ pub(super) struct Segment<'g> {
     pub(super) change: Vec<SVector<f64, 3>>,
     /// The sum of all loads as a function of the load factor, with moments about the centroid of the contacts.
     pub(super) trajectory: Trajectory<Vector>,
-    /// The largest contact force or load on the path so far, N. If all forces vanish together, rounding errors are proportional to it.
+    /// The largest contact force or load on the path so far, N. Rounding errors are proportional to this force even where all forces vanish together.
     pub(super) largest: f64,
 }
 
@@ -96,8 +96,8 @@ impl PathPoint {
 impl<'g> Segment<'g> {
     /// Forces, twist, gaps and their rates at the load factor `factor`, while contacts have the states `states`. If no spring resists some motion,
     /// many twists are solutions: the twist returned is the one nearest to `near`, and its rate the one nearest to `pushed`. `pushed` is the twist
-    /// rate that solves the rate problem (the complementarity problem for the rates of forces and motion), in which contacts that touch without force
-    /// may push the object along such a motion. Returns an error if forces cannot balance the load or its rate.
+    /// rate that solves the rate problem (the complementarity problem for the rates of forces and motion). In it contacts that touch without force
+    /// may push the object along a motion that no spring resists. Returns an error if forces cannot balance the load or its rate.
     pub(super) fn point_at(
         &self,
         states: &[State],
@@ -142,9 +142,9 @@ impl<'g> Segment<'g> {
         PathPoint { fixed: before.fixed.clone(), ..point }
     }
 
-    /// The proof that no equilibrium exists beyond a load factor: nothing resists the motion `motion`, along which the rate of the load does work.
-    /// `None` if there is no such motion, but sliding contacts push only in directions that cannot balance the load; the proof then has the motion
-    /// zero.
+    /// The proof that no equilibrium exists beyond a load factor: no contact resists the motion `motion`, along which the rate of the load does work.
+    /// If `motion` is `None`, there is no such motion, but sliding contacts push only in directions that cannot balance the load. The proof then has
+    /// the motion zero.
     pub(super) fn unbalanced(&self, factor: f64, motion: Option<Vector>) -> NoEquilibrium<3> {
         let v = motion.unwrap_or_else(Vector::zeros);
         let work = v.dot(&self.trajectory.rate_at(factor));

@@ -1,6 +1,7 @@
-//! Contact forces and twist as affine functions of the load factor and of the slips of sliding contacts, for a load that grows along a ramp (see
+//! Contact forces and twist under a load that grows along a ramp, as affine functions of the load factor and of the slips of sliding contacts (see
 //! `in_slips`). From these functions follow the rates of load factor and slips with which sliding contacts stay on the edges of their cones. The
-//! margin of a contact is μ F_n - |F_t|, the distance of its force from the edge of its cone.
+//! margin of a contact is μ F_n - |F_t|, the distance of its force from the edge of its cone. Motions are small within limits of rotation and slip up
+//! to which the linear theory is trusted.
 
 use nalgebra::SVector;
 

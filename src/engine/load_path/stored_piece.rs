@@ -1,7 +1,8 @@
-//! A stored piece of a load path, along which every contact keeps its state. If no contact slides on a round cone, forces and motions are affine
-//! in the fraction of the leg, or harmonics of the load's angle. Otherwise the piece is a step of the integration along an arc, on which directions
-//! of sliding turn. To compute a state within the piece, this step is repeated up to the requested fraction. A leg is a section of the load program.
-//! The offset of a contact's springs is the command of its finger (a displacement) minus clearance and accumulated slip.
+//! A stored piece of a load path, along which every contact keeps its state. If no contact slides on a round cone, forces and motions are affine in
+//! the fraction of the leg, or harmonics of the load's angle. Otherwise the piece is a step of the integration along an arc, on which directions of
+//! sliding turn. To compute a state within the piece, this step is repeated up to the requested fraction. A leg is a section of the load program. A
+//! drive is the spring of a joint or tendon of a hand. The offset of a contact's springs is the command of its finger (a displacement) minus
+//! clearance and accumulated slip.
 
 use nalgebra::SVector;
 

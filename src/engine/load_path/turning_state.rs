@@ -1,5 +1,6 @@
 //! Forces, stretches and twist under a load that turns while contacts keep their states: harmonic functions of the load's angle. The first exit,
-//! where the present state of a contact ends, is a root of a trigonometric polynomial. The load factor says how far the load has turned.
+//! where the present state of a contact ends, is a root of a trigonometric polynomial. The load factor says how far the load has turned. A drive is
+//! the spring of a joint or tendon of a hand.
 
 use super::first_exits::{FirstExits, first_reached};
 use crate::contact::{Exit, State, TurningExit, Wave};

@@ -8,9 +8,9 @@ use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::object::{ForcesAndTwist, LinearProblem};
 
 impl Segment<'_> {
-    /// The rates `rate` of forces and twist, shifted along free and neutral motions until the twist rate agrees with `pushed` along these motions.
-    /// Other components of `rate` stay. `pushed` comes from the rate problem (for rates of forces and motion), in which contacts that touch without
-    /// force may push the object. If `pushed` is `None`, `rate` is returned unchanged.
+    /// Returns the rates `rate` of forces and twist, shifted along free and neutral motions: along these motions the returned twist rate agrees with
+    /// `pushed`. Other components of the twist rate stay. `pushed` is the twist rate that solves the rate problem (for rates of forces and motion).
+    /// In this problem contacts that touch without force may push the object. If `pushed` is `None`, `rate` is returned unchanged.
     pub(super) fn pushed_along(
         &self,
         linear_problem: &LinearProblem,
@@ -19,8 +19,8 @@ impl Segment<'_> {
     ) -> ForcesAndTwist {
         let Some(pushed) = pushed else { return rate };
         let apart = pushed - &rate.twist;
-        // The difference between `pushed` and the twist rate of `rate`, along a free or neutral motion, is rounding if it is below this fraction of
-        // `pushed`.
+        // Along a free or neutral motion, the twist rate of `rate` may differ from `pushed`. The difference is rounding if it is below this fraction
+        // of `pushed`.
         let is_driven = |v: &Vector| v.dot(&apart).abs() > SOLVED_ROUNDING * pushed.norm();
         let moves = linear_problem.free_motions().iter().any(is_driven)
             || linear_problem.neutral_motions().iter().any(is_driven);

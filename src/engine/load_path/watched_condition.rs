@@ -8,12 +8,12 @@ use crate::contact::{Line, Mode, State, tangential, tangential_norm};
 use crate::numerics::Each;
 use crate::prelude::*;
 
-/// The subject of a condition that is watched along an arc: a contact, the load factor or the leg.
+/// The condition that is watched along an arc, named by what it concerns: a contact, the growth of the load factor, or the end of the leg.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum WatchedCondition {
     /// The contact with this index satisfies the condition of its present state, such as a positive gap if it is open.
     Contact(usize),
-    /// The load factor grows along the arc, so that its rate per unit of arclength is positive.
+    /// The load factor grows along the arc: its rate per unit of arclength is positive.
     Growth,
     /// The load factor is below 1, its value at the end of the leg.
     Leg,
@@ -64,8 +64,8 @@ pub(super) fn is_vanishing(line: &Line) -> bool {
     line.rate[0] < 0.0 && line.force[0] <= VANISHING_NORMAL * line.force_size
 }
 
-/// Whether the normal force of a sliding contact is negative by at most the fraction `VANISHING_NORMAL` (1e-7) of the terms whose sum it is. If so,
-/// the direction of friction was not accurate enough for the last step to end where the normal force vanishes.
+/// Whether the normal force of a sliding contact is negative by at most the fraction `VANISHING_NORMAL` (1e-7) of the terms whose sum it is. The last
+/// step should have ended where the normal force vanishes; it went farther because the direction of friction was not accurate enough.
 pub(super) fn has_vanished(line: &Line) -> bool {
     line.force[0] < 0.0 && line.force[0] >= -VANISHING_NORMAL * line.force_size
 }
@@ -77,8 +77,8 @@ pub(super) fn watch(
     states: &[State],
     (factor, point): (f64, &PathPoint),
 ) -> Vec<ConditionValue> {
-    // The rate of the load factor, which is at most 1, is taken as zero up to 1e-8. The load factor then differs from its value at the maximum by
-    // about the square of this rate, i.e. by rounding.
+    // The rate of the load factor per unit of arclength, at most 1, is taken as zero up to 1e-8. When it is zero, the load factor is at a maximum. At
+    // a rate of 1e-8 the load factor differs from this maximum by about 1e-16, i.e. by rounding.
     let mut list = vec![
         ConditionValue {
             what: WatchedCondition::Growth,
@@ -93,11 +93,11 @@ pub(super) fn watch(
             size: 1.0,
         },
     ];
-    // A value that changes by less than its rounding over the rest of a straight leg is taken as constant. While the load turns, a rate that is
-    // zero at this point may grow, so no value is taken as constant.
+    // If the load changes linearly, a value that changes by less than its rounding error over the rest of the leg is taken as constant. While the
+    // load turns, a rate that is zero at this point may grow, so no value is taken as constant.
     let straight = matches!(segment.trajectory, Trajectory::Straight { .. });
-    // A rate is rounding if over the rest of the leg it would change the value by less than rounding. The rest is taken as at least a hundredth of
-    // the leg, so that the limit stays finite at its end.
+    // The rate of a value counts as rounding up to `size * per_length`. A rate of this size changes the value by its rounding error over the rest of
+    // the leg. The rest is taken as at least a hundredth of the leg, since at the end of the leg it is zero.
     let per_length = point.factor_rate / (1.0 - factor).max(0.01);
     for (contact, state) in states.iter().enumerate() {
         let (line, local) = (&point.lines[contact], segment.problem.local(contact));

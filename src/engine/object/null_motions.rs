@@ -105,7 +105,7 @@ impl NullMotions {
 
 /// Groups null vectors of the tangent stiffness T = BᵀA, or of its transpose, by whether they stretch springs. For null vectors of T, `side` is A and
 /// `other` is B; for null vectors of the transpose, `side` is B and `other` is A. The entries of `vectors` refer to columns of `side` that are scaled
-/// to length one. `None` if a vector stretches springs and, beyond rounding, is no null vector.
+/// to length one. `None` if some vector stretches springs and, by more than rounding, is not a null vector.
 fn sorted_null_vectors(
     band: &BandedTangent,
     [side, other]: [&SpringRows; 2],
@@ -154,7 +154,7 @@ fn sorted_null_vectors(
         }
         let length = dot(&stretches, &stretches).sqrt();
         // A unit motion is free if it hardly stretches any spring: the norm of the stretches is at most this fraction of the largest stretch of a
-        // spring under any unit motion. For motions that do stretch springs, even the softest ones, this fraction is above 1e-6.
+        // spring under any unit motion. For a motion that does stretch a spring, even a soft one, this fraction is above 1e-6.
         if length <= 1e-11 * side.longest {
             apart.unstretched.push(v);
             continue;
@@ -162,8 +162,8 @@ fn sorted_null_vectors(
         let mut left = vec![0.0; band.numbers.len()];
         springs.add(other, &stretches, &mut left);
         let left = left.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
-        // The tangent stiffness T is singular along a motion if the spring forces that it causes balance. Their resultant wrench is then at most
-        // this fraction of the norm of the stretches. The comparison is false for NaN.
+        // The tangent stiffness T is singular along a motion if the spring forces that the motion causes are in balance. Up to rounding, their
+        // resultant is then at most this fraction of the norm of the stretches. The comparison is false for NaN.
         let singular = left <= LINEARLY_DEPENDENT * length;
         if !singular {
             return None;

@@ -8,6 +8,9 @@
 //! minus clearance and slip, and each contact has its full law. In the rate problem, a_i and W are derivatives of offset and load along a path; v_i,
 //! q and F_i are the derivatives of stretch, twist and force. Each contact then has the law that relates rates of force and stretch at its present
 //! state ([`Law`]). In the elastic trial all contacts stick.
+//!
+//! Friction cones are round, or polygons with plane facets replace them. At the apex of a cone the force is zero. The coordinates of q describe the
+//! motion of the object, of joints and of further bodies.
 
 use crate::numerics::{DoubleDouble, IntoList, Size, Vector, by_axis, cleared_for, indexed, numbered};
 use alloc::sync::Arc;

@@ -97,8 +97,8 @@ pub(crate) fn tangent_stiffness(sites: &[Site], springs: &(dyn Fn(usize) -> Spri
 /// Adds the term `G_i C_i G_iᵀ` of one contact to the tangent stiffness of the object.
 fn add_tangent(t: &mut Square, site: &Site, springs: &SpringTangent) {
     let pushed: [Vector; 3] = [0, 1, 2].each(|a| &site.map * springs.column(a).into_owned());
-    // Only columns of coordinates with entries in the grasp map are visited. A contact has none for joints of other fingers, a drive only those of
-    // its own joints.
+    // Only columns of coordinates with entries in the grasp map are visited. The grasp map of a contact has no entries for joints of other fingers,
+    // that of a drive only entries for its own joints.
     for columns in site.support.ranges() {
         for j in columns {
             let column = t.column_slice_mut(j);

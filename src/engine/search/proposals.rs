@@ -1,4 +1,5 @@
-//! Contact states proposed by Lemke's method, then solved and checked; on the round cone refined by Newton's method.
+//! Contact states proposed by Lemke's method. With the states proposed (open, sticking or sliding), the contact laws are linear equations, whose
+//! solution is checked. On the round cone Newton's method refines the solution first.
 
 use super::answer::{Doubt, SearchSolution};
 use super::candidate::{CandidateOutcome, try_states};
@@ -52,8 +53,8 @@ pub(super) fn equilibrium_by_proposals(
     polish(problem, &proposed, &near)
 }
 
-/// Contact states from Lemke's method on the complementarity problem `form`, with a dense matrix. `most_work` is an upper limit of the number of
-/// multiplications, and `states` reads the contact states from the basis of a solution. `None` without a solution.
+/// Contact states from Lemke's method on the complementarity problem `form`, whose matrix is dense. `most_work` is an upper limit of the number of
+/// multiplications, and `states` translates the basis of a solution (the set of its basic variables) to contact states. `None` without a solution.
 pub(super) fn propose_dense(
     problem: &Problem,
     settings: &Settings,
@@ -64,9 +65,9 @@ pub(super) fn propose_dense(
     log.is_infeasible = false;
     let form = form?;
     log.effort.rows = log.effort.rows.max(form.rows.len());
-    // The solver may run Lemke's method more than once, but it never enumerates bases: trying all contact states, which comes next in the search,
-    // costs less. On the round cone it runs once, since branch and bound comes next. Branch and bound more often finds an equilibrium or a proof than
-    // another run would.
+    // The solver may run Lemke's method more than once, but it never tries all bases: the search tries all contact states next, at less cost. Where
+    // branch and bound over contact states comes next instead, Lemke's method runs once. Branch and bound more often finds an equilibrium or a proof
+    // than another run would.
     let affordable = settings.max_pivots.unwrap_or(most_work / form.rows.len().pow(2).max(1));
     let by_size = lcp::Settings::one_path();
     // The solver is given the limit `affordable` of the number of pivots in two cases: the caller set it, or it is below the solver's own limit.
@@ -76,8 +77,8 @@ pub(super) fn propose_dense(
         one_path
     } else {
         let few = problem.round || enumerable(problem, settings);
-        // If Lemke's method ends on a ray, it may run again with other covering vectors (vectors along which it starts). Three such runs are allowed
-        // on the round cone, and if all combinations of contact states can be tried next; otherwise 16.
+        // If Lemke's method ends on a ray, it may run again, each time with another covering vector (the vector along which it starts). Three such
+        // runs are allowed if the cones are round, or if all combinations of contact states can be tried next. Otherwise 16 are allowed.
         let retries = if few { COVERING_VECTORS } else { 16 };
         // All runs of Lemke's method together may cost no more than `most_work` multiplications.
         let paths = most_work / form.rows.len().pow(3).max(1);

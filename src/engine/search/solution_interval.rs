@@ -16,12 +16,12 @@ use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::object::Problem;
 use crate::prelude::*;
 
-/// Looks, in the plane, for a solution with the same forces as `found`, but with a free motion. In its states contacts on the edge of their cone
-/// slide, and contacts without force are open. Returns `found` itself in space, and if these other states break a condition, change forces or have no
-/// further free motion.
+/// In the plane, looks for a solution with the same forces as `found`, but with a further free motion. The states tried are those of `found`, except
+/// that contacts on the edge of their cone slide, and contacts without force are open. Returns `found` itself if these states break a condition,
+/// change a force or give no further free motion; in space always.
 pub(crate) fn on_the_solution_interval(problem: &Problem, found: SearchSolution) -> SearchSolution {
-    // In space a contact that slides still has a tangential spring perpendicular to its slip, which resists, so that no motion becomes free. If
-    // `near` gives contact states from which a search starts, free motions of this kind are not reported.
+    // In space a contact that slides still has a tangential spring perpendicular to its slip, which resists, so that no motion becomes free. With
+    // many coordinates `near` has contact states from which the search starts; free motions are then not looked for.
     if problem.space() == Space::Spatial || !problem.near.is_empty() {
         return found;
     }

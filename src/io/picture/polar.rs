@@ -62,8 +62,8 @@ impl Polar {
         /// Adds a line of text below the legend.
         pub fn note(mut self, text: impl Into<String>) { self.notes.push(text.into()); }
 
-        /// Sets the largest radius that must lie inside the rim; without it all finite radii lie inside. The rim is the first ring of round radius at or
-        /// beyond this radius.
+        /// Sets the largest radius that must lie inside the rim; without it all finite radii lie inside. The rim is the first ring at or beyond this
+        /// radius whose radius is a round number.
         pub fn rim(mut self, radius: f64) { self.rim = Some(radius); }
     }
 

@@ -1,4 +1,4 @@
-//! Answers a single line, for callers without threads.
+//! Answers one line of a stream of scenes (one JSON scene a line), for callers without threads.
 
 use super::line::{InputLine, LONGEST_LINE};
 use super::options::StreamOptions;

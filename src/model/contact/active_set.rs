@@ -4,7 +4,8 @@
 //!
 //! A contact with its force inside the cone keeps sticking just beyond the event. With its force on facets of the cone it sticks, or slides along the
 //! normals of these facets. At the apex, or with a gap that has just closed, every state is possible, so the rates obey the whole contact law again.
-//! The search for the onset of sliding and the load path use the same laws of the rates.
+//! The search for the onset of sliding and the load path use the same laws of the rates. On a polygonal cone facets are numbered. On the round cone
+//! the tangent plane of the cone along the present friction force takes the place of a facet.
 
 use crate::numerics::IntoList;
 use nalgebra::SVector;
@@ -52,7 +53,7 @@ impl ActiveSet {
     pub(crate) fn add_exits(&mut self, axes: usize, state: &State, exits: &[Exit]) {
         for exit in exits {
             // A zero vector in `Exit::facet` marks an exit at which the normal force or the gap vanishes. Normals that differ only by rounding count
-            // as one facet: when a facet of the round cone is reached again, its normal differs slightly.
+            // as one facet: when the round cone is reached again in the same direction, the computed normal differs slightly.
             if state.is_open() || exit.facet.norm() == 0.0 {
                 self.apex = true;
             } else if !self.facets.iter().any(|facet| (facet - exit.facet).norm() <= NEGLIGIBLE) {
@@ -119,8 +120,8 @@ impl LocalLaw<'_> {
     }
 
     /// Removes from the active set the facets whose friction margin grows at the force rate `line.rate`, except facets on which the contact slides.
-    /// Also removes the apex if the normal force or the gap grows. If the force leaves the apex along facets, the set contains these facets
-    /// afterwards.
+    /// Also removes the apex if the normal force or the gap grows. If the force leaves the apex but stays on some facets, the set contains these
+    /// facets afterwards.
     pub(crate) fn drop_by_rates(&self, active: &mut ActiveSet, state: &State, line: &Line, gap: &GapLine) {
         let falls_short = |margin_rate: f64, weight: f64| margin_rate <= ZERO_SLACK * line.rate_size * weight;
         let stays_at_the_apex = || line.rate[0].abs() <= ZERO_SLACK * line.rate_size;
@@ -180,8 +181,8 @@ impl LocalLaw<'_> {
             && across > ZERO_SLACK * size
     }
 
-    /// Whether the force of a sticking contact on the edge of the round cone moves along a tangent of the cone or outwards, not just radially. The
-    /// contact then begins to slide, since even a straight tangent leads out of the cone.
+    /// Whether the force of a sticking contact is on the edge of the round cone and moves across the friction direction, but not into the cone. The
+    /// contact then begins to slide, since even a straight tangent leads out of the cone. `false` if the force moves radially.
     pub(crate) fn leaves_by_a_tangent(&self, line: &Line) -> bool {
         let (friction, cone) = (tangential(&line.force), self.cone());
         if !self.on_round_cone || !self.may_slide() || friction.norm() == 0.0 {

@@ -5,9 +5,9 @@
 //! sliding    F_t  =  μ_k F_n p,      μ_k <= μ_s
 //! ```
 //!
-//! Here p is the slip direction, and μ_s, μ_k are the static and the kinetic coefficient. A contact has one cone at a time, which depends on its
-//! state. When it begins to slide, the same stretch is evaluated with the smaller cone. The springs relax, and the contact slips by the loss of their
-//! deflection, `Δs = -K_t⁻¹ ΔF_t`.
+//! Here p is the direction of the friction force, μ_s and μ_k are the static and the kinetic coefficient, and K_t is the tangential stiffness. A
+//! contact has one cone at a time, which depends on its state. When it begins to slide, the same stretch is evaluated with the smaller cone. The
+//! springs relax, and the contact slips by the loss of their deflection, `Δs = -K_t⁻¹ ΔF_t`.
 
 use nalgebra::SVector;
 

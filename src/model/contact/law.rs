@@ -2,8 +2,11 @@
 //!
 //! The forces of an equilibrium, and their rates as the load grows, solve problems of the same kind. In the equilibrium problem every contact has its
 //! whole cone. In the problem for the rates, a contact with its force inside the cone is bonded: it neither opens nor slides. An open contact is
-//! absent: it has no force. A contact with its force on an edge of the cone has only this edge as a condition. A contact at the apex has the whole
-//! cone again. The apex is zero force.
+//! absent: it has no force. A contact with its force on an edge of the cone has only this edge as a condition. A contact at the apex, where the force
+//! is zero, has the whole cone again.
+//!
+//! The round cone is |F_t| <= μ F_n. A polygonal cone replaces it by plane facets `h·F_t <= μ F_n`, where h is the outward normal of a facet in the
+//! tangent plane. Two neighbouring facets meet at a corner.
 
 use nalgebra::SVector;
 
@@ -31,7 +34,8 @@ pub(crate) enum Law {
     Edge(Vec<SVector<f64, 3>>),
 }
 
-/// One contact with the law that its force and stretch obey, independent of the grasp.
+/// One contact, with its springs, its friction and the law that its force and stretch obey. Nothing here refers to the other contacts or to the
+/// object.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct LocalLaw<'c> {
     pub(crate) springs: &'c Compliance,
@@ -39,7 +43,8 @@ pub(crate) struct LocalLaw<'c> {
     /// The polygonal cone that approximates the round cone.
     pub(crate) polygon: &'c Polygon,
     pub(super) friction: Coulomb,
-    /// `true` if the round cone limits the contact, which is possible in space only. The polygon then only supplies the states that are tried first.
+    /// `true` if the round cone limits the contact, which is possible in space only. The polygonal cone then only supplies the contact states that
+    /// are tried first.
     pub(super) on_round_cone: bool,
     /// `true` if a contact with infinite friction gets the facets of a cone with a very large finite coefficient. They are needed in a
     /// complementarity problem, where only facets remove the tangential force of an open contact.
@@ -157,7 +162,7 @@ impl<'c> LocalLaw<'c> {
         }
     }
 
-    /// All states that the law allows on the polygonal cone, sticking first.
+    /// All states (sticking, sliding on a facet or at a corner, open) that the law allows on the polygonal cone, sticking first.
     pub(crate) fn states(&self) -> Vec<State> {
         if self.is_absent() {
             return vec![Mode::Open];

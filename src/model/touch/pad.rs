@@ -98,7 +98,7 @@ impl Pad {
     /// outline, m, as seen along the closing direction; `strips` as for [`Self::rectangle`].
     ///
     /// # Errors
-    /// [`Error::Fingertip`] as for a rectangle, and unless the first side is less than the diameter.
+    /// [`Error::Fingertip`] as for a rectangle, and if the first side is not less than the diameter.
     pub fn cylinder(radius: f64, sides: [f64; 2], strips: [usize; 2]) -> Result<Self, Error> {
         if !(sides[0] < 2.0 * radius && radius <= LARGEST) {
             let (what, allowed) = ("radius of the pad", "more than half of its first side, and at most 1e50");
@@ -111,7 +111,7 @@ impl Pad {
     /// and `strips` as for [`Self::cylinder`].
     ///
     /// # Errors
-    /// [`Error::Fingertip`] as for a rectangle, and unless the angle is from 0.1 to π.
+    /// [`Error::Fingertip`] as for a rectangle, and if the angle is not from 0.1 to π.
     pub fn v(opening: f64, sides: [f64; 2], strips: [usize; 2]) -> Result<Self, Error> {
         if !(0.1..=PI).contains(&opening) {
             let (what, allowed) = ("opening angle of the V", "from 0.1 to π rad");
@@ -217,8 +217,9 @@ impl Pad {
         covers.then(|| self.profile.at(u).0)
     }
 
-    /// This pad with an elastic layer of the given modulus, Pa, and thickness, m. It is an elastic foundation of `E/t` per unit area along the
-    /// normal, and of `E/3t` along tangents, N/m³. It replaces the finger stiffness of the contact.
+    /// This pad with an elastic layer of Young's modulus E = `modulus`, Pa, and thickness t = `thickness`, m. The layer is an elastic foundation: its
+    /// stiffness per unit area is `E/t` along the normal and `E/3t` along tangents, N/m³. This stiffness replaces the finger stiffness of the
+    /// contact.
     #[must_use]
     pub fn of_layer(self, modulus: f64, thickness: f64) -> Self {
         let normal = modulus / thickness;

@@ -51,8 +51,8 @@ impl Touched {
     }
 }
 
-/// Advance s of the pad, m, at which the forces of its points along the closing direction sum to `force`, N, if the part does not move. s is measured
-/// from the position in which the points have the gaps `gaps`, m.
+/// Advance s of the pad, m, at which the closing force of its points is `force`, N: the sum of their forces along the closing direction. The part
+/// does not move. s is measured from the position in which the points have the gaps `gaps`, m.
 ///
 /// Consider a point with the gap g, the stiffnesses k_n and k_t, and the coefficient of friction μ. Its normal makes the angle θ with the closing
 /// direction. Once it touches, the point presses with `k_n cos θ (s - g)`. Along the tangent it pulls with the smaller of `k_t sin θ (s - g)` and μ

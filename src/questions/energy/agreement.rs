@@ -82,8 +82,8 @@ impl Engine {
     }
 }
 
-/// The quadratic program along a ramp. `program` is the program at load factor 0. `change` holds the changes of the contacts' offsets (command less
-/// clearance, m) and `direction` the change of the load (N, N m), both per unit of the factor.
+/// The quadratic program along a ramp. `program` is the program at load factor 0. Per unit of the factor, `change` holds the changes of the contacts'
+/// offsets (command less clearance, m), and `direction` the change of the load (N, N m).
 struct Line<'g> {
     program: EnergyProgram<'g>,
     change: Vec<SVector<f64, 3>>,
@@ -120,8 +120,8 @@ impl Line<'_> {
     }
 
     /// The answer if a friction constraint begins to bind at a pivot; `row` is its index in `program.friction`. `faces` are the constraints that are
-    /// active before this pivot. `seen` is the load factor according to the pivots, whose rounding errors it contains. Therefore the load factor of
-    /// the answer is computed anew from the active springs.
+    /// active before this pivot. `seen` is the load factor at this pivot, with the rounding errors of all pivots so far. The load factor of the
+    /// answer is therefore computed anew, from the active springs.
     fn ends(&self, faces: &Faces, row: usize, seen: f64) -> Option<Agreement<3>> {
         let [forces, rates] = self.forces(&self.program.springs(faces))?;
         let friction = &self.program.friction;

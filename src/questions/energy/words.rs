@@ -1,4 +1,5 @@
-//! The sentence that compares the equilibrium with the minimum of energy.
+//! The sentence that compares two results for one load: the equilibrium under Coulomb's law, from a complementarity problem, and the minimum of
+//! energy, from a quadratic program.
 
 use core::fmt;
 
@@ -40,7 +41,8 @@ impl<const C: usize> fmt::Display for Comparison<C> {
             }
             ComparisonVerdict::NoEquilibrium { force, moment } => {
                 let missed = wrench(words, force, moment);
-                // Both programs have the same polygons in place of round cones, which carry a little more.
+                // In space the complementarity problem and the quadratic program both use polygonal cones. The sentence says so, because round cones
+                // allow slightly larger forces: an equilibrium on them may exist.
                 let cones =
                     if words.space::<C>() == Space::Spatial { " with polygonal friction cones" } else { "" };
                 write!(

@@ -1,6 +1,7 @@
 //! The verdict on a load. The load path leads from the base load (load factor 0) to the whole load (factor 1). It is followed further, to the load
 //! factor `Settings::most_load` or to the loss of equilibrium. The base load acts before the load grows; at rest means under it. Motions are small
-//! within the limits of rotation, slip and opening up to which the linear theory is trusted. A drive is a motor, clutch or tendon of a joint.
+//! within the limits of rotation, slip and opening up to which the linear theory is trusted. A drive is a motor, clutch or tendon of a joint. The
+//! loss is the loss of equilibrium at the end of a path. A jump is a motion under constant load to another equilibrium.
 
 use core::mem::{Discriminant, discriminant};
 
@@ -28,11 +29,11 @@ use crate::prelude::*;
 pub(crate) enum VerdictScope {
     /// All fields of the [`Verdict`]. The path is followed to `Settings::most_load`, to the loss of equilibrium or to the end of small motions.
     Whole,
-    /// Like `Whole`, but if motions cease to be small before the whole load is reached, the path is followed further, to the whole load or the loss.
-    /// [`PathFacts::farthest`] is then the largest ratio of a motion to its limit up to the whole load or the loss.
+    /// Like `Whole`, but the path does not end where motions cease to be small before the whole load is reached. It is followed further, to the whole
+    /// load or the loss. [`PathFacts::farthest`] is then the largest ratio of a motion to its limit up to the whole load or the loss.
     Measured,
-    /// Like `Measured`, but without the proof that no equilibrium exists near the loss, and without the data that only sentences need. It is not
-    /// computed at which fraction of the base load equilibrium is lost, which would need a path on which the base load grows from zero.
+    /// Like `Measured`, but without the proof that no equilibrium exists near the loss, and without the data that only sentences need. The fraction
+    /// of the base load at which equilibrium is lost is not computed either. It would need a path on which the base load grows from zero.
     Decided,
     /// Only the fields that a [`super::ShortVerdict`] needs: no equilibria, no proofs and no data for sentences. The path is followed as far as for
     /// `Whole`.
@@ -141,8 +142,8 @@ impl Engine {
         let buckles = too_far.as_ref().is_some_and(|far| far.what == TooFar::Buckles);
         let state = state.filter(|_| !buckles || end.0 > 0);
         let held_to = reached(end);
-        // If a jump at the first slip ends small motions, the load factor of the first slip may exceed the load factor of this end by rounding. The
-        // first slip then still counts.
+        // If the first slip causes a jump whose motion is not small, small motions end at the load factor of the first slip. If the computed load
+        // factor of the first slip exceeds that of the end of small motions by rounding only, the first slip still counts.
         let is_small = |first: &FirstSlip| too_far.is_none() || first.factor <= held_to * (1.0 + NEGLIGIBLE);
         let start = rest_that_slips(&onset, &path);
         let first_slip = self.first_slip(&onset, &events, start.as_ref()).filter(is_small);
@@ -172,7 +173,8 @@ impl Engine {
                 let then = self.carried_while_it_slides(ramp, settings);
                 lost.then_takes = then.filter(|then| *then < held_to * (1.0 - NEGLIGIBLE));
             }
-            // The proof assumes that the vacuum of every cup lasts, so it is not tried for a loss at which the lips of cups are open all around.
+            // The proof that no equilibrium exists near the loss assumes that the vacuum of every suction cup lasts. It is therefore not tried if, at
+            // the loss, a cup lets go because its lip is open all around.
             if matches!(holding, Holding::Lost) && !matches!(lost.way_out, WayOut::LetsGo { .. }) {
                 lost.nothing_near = self.nothing_near(&lost, loss, ramp, settings);
             }
@@ -205,9 +207,9 @@ impl Engine {
         }
         let there = state.as_ref().or_else(|| verdict.lost.as_ref()?.state.as_deref());
         let rest = rest.filter(|_| ramp.command_change.is_none() && ramp.joint_change.is_none());
-        // The fraction of the springs' resistance that contact forces take away, a negative number, is computed without the effect of the load's
-        // points of action. If these points are known, buckling is decided above. A fraction of -1 or less (all resistance is taken away) would
-        // contradict that decision, so it is dropped.
+        // `part` is minus the fraction of the springs' resistance that contact forces take away; at -1 or less nothing resists, and the grasp
+        // buckles. This number is computed without regard to the points at which the load acts. If the points of action are known, the path has
+        // already decided whether the grasp buckles, and a contradicting `part` is dropped.
         let is_open = |part: &f64| *part > -1.0 || !self.may_buckle(&ramp.load_at(1.0));
         let by_the_load = rest
             .zip(there)
@@ -233,16 +235,16 @@ impl Engine {
     ) -> Holding<3> {
         let inaccurate = Holding::Undecided { doubt: Doubt::Inaccurate };
         let or_at_rest = |otherwise: Holding<3>| {
-            // It takes up to a thousand times as long to follow the base load from zero as to follow the load on top of it. The scope `Decided` omits
-            // this.
+            // It takes up to a thousand times as long to follow the base load from zero as to follow the load on top of it. The scope `Decided`
+            // therefore leaves it out.
             if extent == VerdictScope::Decided {
                 return otherwise;
             }
             self.lost_at_rest(base, settings).map_or(otherwise, |at_rest| Holding::LostAtRest { at_rest })
         };
         match path.end() {
-            // If no equilibrium is known at the loss, the grasp does not hold the base load itself. Contacts slide under the base load, so that their
-            // friction falls to the kinetic value, and no other contact catches the object.
+            // If no equilibrium is known at the loss, the path was lost at its start, under the base load alone: contacts slide there, their friction
+            // falls to the kinetic value, and the object finds no other equilibrium. The grasp then does not hold the base load.
             Some(PathEnd::Lost(_)) if path.state().is_none() => or_at_rest(Holding::Lost),
             Some(PathEnd::Lost(_)) => Holding::Lost,
             Some(PathEnd::NoStart(start)) => match &**start {
@@ -263,7 +265,7 @@ impl Engine {
         }
     }
 
-    /// The loss of equilibrium on a path of its own, on which the base load and the commands (prescribed displacements of fingers) grow together from
+    /// The loss of equilibrium on a separate path. On it the base load and the commands (prescribed displacements of fingers) grow together from
     /// zero. `None` if this path reaches both in full.
     fn lost_at_rest(&self, base: &Wrench<3>, settings: &Settings) -> Option<Box<Lost<3>>> {
         let growing = self.growing_from_nothing(base);
@@ -276,13 +278,14 @@ impl Engine {
         path.run();
         let loss = path.end().and_then(PathEnd::loss)?;
         let lost = grasp.lost(path.place().1, loss, path.state());
-        // The equilibrium at this loss carries a fraction of the base load, not the load of the verdict, so it is not part of the answer.
+        // The equilibrium at this loss carries only a fraction of the base load. It is left out of the answer, whose equilibria carry the load of the
+        // verdict.
         Some(Box::new(Lost { state: None, ..lost }))
     }
 
     /// The [`Holding`] if the whole load is held: [`Holding::Loose`], [`Holding::Sticks`] or [`Holding::Slides`]. A contact has slid if it slides
-    /// under the whole load, slipped in a jump, or began to slide at an event. A slip in the equilibrium does not show that a contact has slid: a
-    /// contact that was open has a slip, too.
+    /// under the whole load, slipped in a jump, or began to slide at an event. The slip (tangential displacement) stored in the equilibrium is no
+    /// sign of sliding: a contact that was open has a slip, too.
     fn holding(
         &self,
         state: &Equilibrium<3>,

@@ -1,5 +1,6 @@
 //! The sentence of a verdict on a load, as one would say it to a colleague. The load factor is the multiple of the growing load that acts; 1 is the
-//! whole load.
+//! whole load. The base load acts before the load grows. The loss is the loss of equilibrium, or the end of small motions (motions for which the
+//! linear theory is trusted). At gross slip every contact that presses slides. A drive is the motor, clutch or tendon of a joint.
 
 use alloc::borrow::Cow;
 use core::fmt;
@@ -121,14 +122,14 @@ impl<const C: usize> fmt::Display for Verdict<C> {
 }
 
 impl<const C: usize> Verdict<C> {
-    /// Whether the grasp seems to buckle: the contact forces take away all resistance of the springs. Whether it does remains open, because the point
-    /// of action of the load is unknown, and this point may be such that the load steadies the object.
+    /// Whether the grasp seems to buckle: the contact forces take away all resistance of the springs. Buckling remains undecided, because the point
+    /// of action of the load is unknown: at some points of action the load would steady the object.
     pub(super) fn leaves_buckling_open(&self) -> bool {
         let is_held = matches!(self.holding, Holding::Sticks | Holding::Slides { .. });
         is_held && self.left_out.is_some_and(|part| part <= -1.0)
     }
 
-    /// The clause about contact forces that turn with the parts they act on, and thereby add to the resistance of the springs or take from it.
+    /// The clause about contact forces that turn with the parts they act on. By turning they add to the resistance of the springs or take from it.
     /// [`Verdict::left_out`] has the change as a fraction of this resistance; it is negative if the forces take from it.
     fn taken_by_forces(&self) -> String {
         let (part, words) = (self.left_out.unwrap_or_default(), Words::with_digits(2));
@@ -144,7 +145,7 @@ impl<const C: usize> Verdict<C> {
     }
 
     /// Writes the caution about the geometric stiffness (the change of contact forces as the parts turn), which the theory of small motions neglects.
-    /// Writes nothing if [`Verdict::left_out`] is `None`, or if it only remains open whether the grasp buckles.
+    /// Writes nothing if [`Verdict::left_out`] is `None`, or if another sentence says that buckling remains open ([`Self::leaves_buckling_open`]).
     fn write_caution(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Some(part) = self.left_out.filter(|_| !self.leaves_buckling_open()) else { return Ok(()) };
         let nothing_stays = if part <= -1.0 { ", so that nothing stays" } else { "" };
@@ -174,7 +175,7 @@ impl<const C: usize> Verdict<C> {
     }
 
     /// The sentence about motions that cease to be small. If the loss counts as gross slip, the sentence begins with the load from which all contacts
-    /// slide. Then it names the motion that exceeds its limit, if a motion and not another quantity does.
+    /// slide. Then it names the motion that exceeds its limit. If the reason is no motion, such as buckling, the sentence says only this reason.
     fn write_small_motion_limit(
         &self,
         lost: &Lost<C>,
@@ -212,7 +213,7 @@ impl<const C: usize> Verdict<C> {
             && self.first_slip.as_ref().is_none_or(|first| factor > first.factor * (1.0 + NEGLIGIBLE))
     }
 
-    /// Writes the multiples of the load up to the first slip and to the loss, or up to the load to which the path was followed.
+    /// Writes the multiples of the load at the first slip and at the loss. Without a loss writes the multiple up to which the path was followed.
     fn margins(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (words, lost) = (Words::of(f), self.lost.as_ref().map(|lost| lost.factor));
         let until = self.lost.as_ref().map_or(Cow::Borrowed(""), Lost::until);

@@ -92,8 +92,8 @@ impl Assignments<'_> {
         Ok(())
     }
 
-    /// Exchanges the values of two unknowns of the fit at index `at`, then halves the smaller one until slips depend on other unknowns. Starts
-    /// searches for fits from the values reached.
+    /// Exchanges the values of two unknowns of the fit at index `at`, then halves the smaller one until the assignment (on which unknowns each slip
+    /// depends) is one not found before. Starts searches for fits from the values reached.
     fn weaken(&mut self, at: usize, pair: (usize, usize)) -> Result<(), Error> {
         let Some(mut before) = self.fits[at].linear.clone() else { return Ok(()) };
         let mut from = self.fits[at].logs.clone();
@@ -134,8 +134,8 @@ pub(super) fn assigned(model: &Model<'_>, first: Fitted) -> Result<Identified, E
     let (best, others) = fits.split_at(1);
     let mut as_good: Vec<&Fitted> = vec![&best[0]];
     as_good.extend(others.iter().filter(|other| !fits_better(model, &best[0], other)));
-    // A fit at which two contacts slip at once lies on the kink between two assignments. Such fits are discarded if at least two equally good fits
-    // lie beside a kink.
+    // A fit at which two contacts slip at once lies on the kink between two assignments. Such fits are discarded if at least two equally good fits do
+    // not lie on a kink.
     let mut beside: Vec<&Fitted> = Vec::new();
     for fit in &as_good {
         let mut is_on_a_kink = false;
@@ -163,8 +163,8 @@ fn weakened(model: &Model<'_>, logs: &[f64], (weak, strong): (usize, usize), hal
     begin[strong] = high;
     begin[weak] = low;
     for k in (0..begin.len()).filter(|k| *k != weak) {
-        // Another unknown of the same kind as `weak` that equals the smaller of the two values is doubled. Otherwise its contact would slip together
-        // with the contact of `weak`.
+        // If a third unknown, of the same kind as `weak`, equals the smaller of the two values, it is doubled. Otherwise its contact would slip
+        // together with the contact of `weak`.
         if (begin[k] - low).abs() <= INDISTINCT && unknowns[k].kind == unknowns[weak].kind {
             begin[k] = low + LN_2;
         }
@@ -188,8 +188,10 @@ fn pairs_of(model: &Model<'_>) -> Vec<(usize, usize)> {
 }
 
 /// At most ten pairs ([`MOST_PAIRS`]) of unknowns whose exchange may lead to another assignment. A pair is listed if some slip depends on one of its
-/// unknowns and not on the other, while no slip depends on both. A slip that depends on both would tell the two unknowns apart; it does not matter if
-/// the slips leave some unknown undetermined. A pair is listed, too, if the fit ended on a kink of the predicted loads where both unknowns are equal.
+/// unknowns and not on the other, while no slip depends on both.
+///
+/// A slip that depends on both would tell the two unknowns apart. If the slips leave some unknown undetermined, such a slip may not tell them apart,
+/// and the pair is listed all the same. A pair is listed, too, if the fit ended on a kink of the predicted loads where both unknowns are equal.
 fn pairs(model: &Model<'_>, fit: &Fitted) -> Result<Vec<(usize, usize)>, Error> {
     let mut pairs = Vec::new();
     let Some(linear) = fit.linear.as_ref().filter(|_| matches!(fit.end, FitEnd::Converged)) else {
@@ -235,8 +237,8 @@ fn depends_alike(one: &Linear, other: &Linear, row: usize) -> bool {
     every_index(one.jacobian.ncols(), &|j| depends(&one.jacobian, row, j) == depends(&other.jacobian, row, j))
 }
 
-/// Whether at least two slips with different derivatives depend on other unknowns at one point than at the other. Between the two points, each of
-/// these slips may begin to depend on other unknowns at a different point.
+/// Whether at least two slips with different derivatives depend on other unknowns at one point than at the other. On the way from one point to the
+/// other these slips need not change together, so a third assignment may lie between the two points.
 fn changes_in_steps(one: &Linear, other: &Linear) -> bool {
     let rows = chosen(one.jacobian.nrows(), &|row| !depends_alike(one, other, *row));
     let Some((&first, rows)) = rows.split_first() else { return false };

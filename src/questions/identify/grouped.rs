@@ -4,8 +4,8 @@
 //! A slip is an observation: the load, or the angle of a load, at which a contact began to slide. A prime denotes the transpose. The matrix U_g has a
 //! row for each slip of group g: the derivatives of its predicted load with respect to the unknowns, divided by its standard deviation. The
 //! derivatives are taken along a basis of the logarithms of the unknowns, chosen such that `Σ U_g'U_g = 1`. Let e_g be the residuals of these slips,
-//! divided in the same way, and `Q_g = U_g'U_g`. Group g contributes `w_g` to the solution. The power of `1 - Q_g` corrects for the influence of the
-//! group's own residuals on the solution:
+//! divided in the same way, and `Q_g = U_g'U_g`. Group g contributes `w_g` to the estimates. The power of `1 - Q_g` corrects for the influence of the
+//! group's own residuals on them:
 //!
 //! ```text
 //! w_g = (1 - Q_g)^(-1/2) U_g'e_g
@@ -34,7 +34,7 @@ pub(super) struct Grouped {
 struct Group {
     /// The information matrix `Q = U'U` of the group. The rows U are the derivatives of its slips, divided by standard deviations.
     tells: DMatrix<f64>,
-    /// The matrix (1 - Q)^(-1/2), which corrects for the influence of the group's own residuals on the solution.
+    /// The matrix (1 - Q)^(-1/2), which corrects for the influence of the group's own residuals on the estimates.
     made_up: DMatrix<f64>,
     /// The contribution w of the group to the estimated logarithms of the unknowns, corrected by `made_up`.
     moves: DVector<f64>,

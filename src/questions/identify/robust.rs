@@ -16,7 +16,7 @@ impl Huber {
         if size <= self.0 { 0.5 * u * u } else { self.0 * (size - 0.5 * self.0) }
     }
 
-    /// The weight of a residual `u` in least squares: 1 if the loss is quadratic at `u`, less if it is linear.
+    /// The weight of a residual `u` in iteratively reweighted least squares: 1 if the loss is quadratic at `u`, less if it is linear.
     pub(super) fn weight(self, u: f64) -> f64 {
         let size = u.abs();
         if size <= self.0 { 1.0 } else { self.0 / size }

@@ -1,6 +1,7 @@
 //! The answer of the search for better finger places. A place is the position of a contact on its curve or surface, a squeeze the normal force of its
-//! command. A design point is one choice of all places and squeezes. The goal is the value that the search maximises; the base load acts before the
-//! loads of the question grow.
+//! command. A design point is one choice of all places and squeezes. The goal is the value that the search maximises: the load factor of first slip,
+//! or the reserve, the least margin of a contact force to the edge of its friction cone, N. The base load acts before the loads of the question grow;
+//! at rest means under the base load.
 
 use nalgebra::SVector;
 
@@ -35,7 +36,8 @@ pub struct Improved<const C: usize> {
     /// [buckling](TooFar::Buckles). `None`, and omitted, without one.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub too_far: Option<TooFar>,
-    /// Contacts that use all their friction at rest, so that a little less friction, or a rounded place, loses the grasp before any load.
+    /// Contacts that use all their friction at rest. With a little less friction, or with places rounded to fewer digits, such a contact may slide
+    /// before any load acts.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub at_their_limit: Vec<WholeContact>,
     /// The size of the load, N, if it is a single force. The load factor of first slip times this size is the force at first slip.

@@ -1,6 +1,7 @@
-//! The variables of the search, their values, and the grasp with these values. The variables are places (positions of contacts on their curves or
-//! surfaces) and squeezes (normal forces of commands); a [`DesignPoint`] is one choice of all of them. A command is the displacement that a finger
-//! would make without the object; at rest means before the loads of the question grow.
+//! The variables of the search for better finger places (question [`Improve`]), their values, and the grasp with these values. The variables are
+//! places (positions of contacts on their curves or surfaces) and squeezes (normal forces of commands); a [`DesignPoint`] is one choice of all of
+//! them. A command is the displacement that a finger would make without the object; at rest means before the loads of the question grow. A surface
+//! consists of triangles, a curve of segments.
 
 use nalgebra::SVector;
 

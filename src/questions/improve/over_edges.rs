@@ -42,7 +42,7 @@ impl AscentProblem<'_> {
         Ok(None)
     }
 
-    /// Design points (places and squeezes of the fingers) in which one finger at the edge of its part (triangle or segment) has moved to an adjacent
+    /// Design points (places and squeezes of all fingers). In each, one finger at the edge of its part (triangle or segment) has moved to an adjacent
     /// part. If there are several such fingers, a further design point has all of them moved, each to its first adjacent part.
     fn adjacent(&self, from: &DesignPoint) -> Vec<DesignPoint> {
         let (mut design_points, mut all, mut move_at_once) = (Vec::new(), from.clone(), 0);

@@ -1,7 +1,8 @@
 //! The trial of an amount (of squeeze, friction, load, arm or angle) under loads that are applied and removed again and again. The amount is
 //! sufficient if the object comes to rest, i.e. nothing slides from some cycle on. With a weaker demand it is sufficient if the object does not walk,
 //! i.e. move on by the same motion in every period. A leg is a section of the load program, a period one cycle or several cycles after which the
-//! motion repeats itself. Motions are small within the limits up to which the linear theory is trusted.
+//! motion repeats itself. The load at rest acts before the loads that repeat. Motions are small within the limits up to which the linear theory is
+//! trusted.
 
 use core::f64::consts::TAU;
 
@@ -27,7 +28,7 @@ impl Loading {
         };
         let shaken = self.grasp.shake(base, &legs)?;
         let sufficient = if demand == Demand::Rests { shaken.rests() } else { shaken.stays() };
-        // Motions beyond the limit of small motions prove neither rest nor that the object stays.
+        // If motions go beyond the limit of small motions, the computation proves neither that the object comes to rest nor that it does not walk.
         if let Some(far) = shaken.too_far.as_ref().filter(|_| sufficient == Some(true)) {
             let says = format!("{} in a cycle: {}", LossVerb::from(far), far.reason(self.words));
             return Ok(Trial::insufficient(says, carried(&shaken, legs.len())));
@@ -39,8 +40,8 @@ impl Loading {
         })
     }
 
-    /// The load at rest and the legs of one cycle (sections of the load program); `None` for a force of any direction. Each load is applied and
-    /// removed. A turn is followed back unless it is a full turn.
+    /// The load at rest and the legs of one cycle (sections of the load program). Each load is applied and removed. A load that turns is turned back,
+    /// unless it ends where it began after full revolutions. `None` if the question asks about a force of any direction.
     fn cycle(&self) -> Option<(Wrench<3>, Vec<Leg<3>>)> {
         match &self.loads {
             Loads::Each(loads) => {
@@ -65,8 +66,9 @@ impl Loading {
     }
 }
 
-/// For an insufficient amount, a number below 1 that guides the search for a sufficient amount. It replaces the carried part of the load, the load
-/// factor up to which a load that is applied once is held. The number is larger if the object is lost later, or moves less in each period.
+/// For an insufficient amount, a number below 1 that guides the search for a sufficient amount. For a load that is applied only once, the search is
+/// guided by the load factor up to which it is held; this number takes its place. It is larger if the object is lost later, or moves less in each
+/// period.
 fn carried(shaken: &Shaken<3>, legs: usize) -> f64 {
     // A loss of the object gives a number below one half; a walk and sliding to and fro give larger numbers. A search for larger numbers thus leads
     // from losses to walks, and from walks to rest.

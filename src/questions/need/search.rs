@@ -31,7 +31,7 @@ pub(super) struct TrialFunctions<'t> {
     /// Whether the question has a force of any direction. Full trials may then find directions in which it is not carried, and later quick trials
     /// include these directions.
     pub(super) learns: bool,
-    /// Whether the grasp is planar. Contact states then change at amounts that are exact to rounding.
+    /// Whether the grasp is planar. The amounts at which contact states change are then computed up to rounding, without an error of iteration.
     pub(super) is_planar: bool,
 }
 
@@ -79,8 +79,8 @@ pub(super) struct SearchPlan {
     pub(super) is_least: bool,
     /// How the bound is estimated from a carried part of the load.
     pub(super) guess: BoundEstimate,
-    /// Whether it is known that every easier amount (such as more squeeze or less load) than a sufficient one is sufficient, too, as far as motions
-    /// are small.
+    /// Whether it is known that with a sufficient amount every easier one (such as more squeeze or less load) is sufficient, too. This holds as far
+    /// as motions are small.
     pub(super) is_monotone: bool,
     /// Whether the search goes in both directions and between the amounts tried. Otherwise it tries only a few easier amounts, such as more squeeze
     /// or less load.
@@ -246,13 +246,15 @@ pub(super) fn search(
 }
 
 /// Tries the amount `at` and, if its verdict is undecided, some neighbouring amounts. Returns the first amount with a decided verdict and its trial,
-/// else `at` with its undecided trial. The offsets of the neighbours are fractions of `width`, or of `at` if there is no width.
+/// else `at` with its undecided trial. `width` is the width of the bracket in which `at` lies, if a bracket is known. The distances of the neighbours
+/// from `at` are fractions of `width`, or else of `at`.
 pub(super) fn decided(tries: TrialOf<'_>, at: f64, width: Option<f64>) -> Result<(f64, Trial), Error> {
     let first = tries(at)?;
     if let Trial::Unknown(_) = first {
         let beside = |part: f64| width.map_or(at * (1.0 + part), |width| at + part * width);
         // Neighbours are tried so that one undecided amount does not end the search. As a rule a verdict is undecided because two contacts change
-        // their states at the same load. Neighbours closer than 1e-9 might have the same fault. In a narrow bracket two neighbours are enough.
+        // their states at the same load. Neighbours that differ from `at` by less than the fraction 1e-9 might be undecided for the same reason. In a
+        // narrow bracket two neighbours are enough.
         let is_narrow = width.is_some_and(|width| width <= 1e-6 * at.abs());
         let offsets: &[f64] = match width {
             Some(_) if is_narrow => &[0.3, -0.3],
@@ -270,8 +272,8 @@ pub(super) fn decided(tries: TrialOf<'_>, at: f64, width: Option<f64>) -> Result
 }
 
 /// The first sufficient amount among estimates of the bound from the carried part of the load. Each estimate is moved towards easier amounts (more
-/// squeeze, less load): the first by twice the relative distance [`LAST_DIGITS`], at which two amounts differ by rounding alone, each following
-/// estimate by 64 times the distance of the one before.
+/// squeeze, less load). The first is moved by twice the relative distance [`LAST_DIGITS`], at which two amounts differ by rounding alone. Each
+/// following estimate is moved 64 times as far as the one before.
 fn guessed(
     tries: TrialFunctions<'_>,
     plan: &SearchPlan,
@@ -304,8 +306,8 @@ fn first_sufficient(
 ) -> Result<Option<(f64, Trial)>, Error> {
     let mut at = begin;
     loop {
-        // An interval of sufficient amounts far from the start is usually about as wide as it is far away. So steps by the factor `FAR_FROM_START`
-        // find it, too, although steps near the start must be smaller.
+        // The farther an interval of sufficient amounts lies from the start, the wider it usually is. Far from the start steps by the factor
+        // `FAR_FROM_START` therefore find it, although steps near the start must be smaller.
         let is_far = at > FAR_FROM_START * begin || at * FAR_FROM_START < begin;
         let factor = if is_far { factor.max(FAR_FROM_START) } else { factor };
         at *= if up { factor } else { factor.recip() };
@@ -353,7 +355,7 @@ fn edge_from(
             now @ Trial::Insufficient { .. } => insufficient = Some((amount, now)),
             Trial::Unknown(_) => {}
         }
-        // If the amount just inside the proved end is not sufficient, the bound is not at this end, and the further guesses near it are skipped.
+        // If the amount just inside the proved end is not sufficient, the bound is not at this end. The further guesses near this end are skipped.
         if Some(amount) == inside && sufficient != amount {
             break;
         }
@@ -374,8 +376,8 @@ fn first_insufficient(
 ) -> Result<BoundSearch, Error> {
     let (mut at, mut factor, mut unknown) = (sufficient, 1.0, None);
     let insufficient = loop {
-        // The ratio grows from step to step. A wide bracket costs little, since the secant steps that follow narrow it quickly. Many small steps
-        // would cost more, because each load path under tiny forces takes long.
+        // The ratio of successive amounts grows from step to step. A wide bracket costs little, since the secant steps that follow narrow it quickly.
+        // Many small steps would cost more, because a load path on which all contact forces are tiny takes long.
         factor *= FAR_APART;
         at = if plan.is_least { at / factor } else { at * factor };
         if !plan.contains(at) {

@@ -4,7 +4,8 @@
 //! full trial of an amount enumerates contact states in the search for equilibria, a quick trial does not.
 //!
 //! Easier amounts are larger if the least amount is sought, smaller if the greatest is sought. The far end is the last sufficient amount on the
-//! easier side of the bound. A scan tries further amounts on both sides of a bound that is already found.
+//! easier side of the bound. A scan tries further amounts on both sides of a bound that is already found. A bracket consists of a sufficient and an
+//! insufficient amount with the bound between them.
 
 use core::cell::{Cell, Ref, RefCell};
 
@@ -86,8 +87,8 @@ impl<'q> TrialRecord<'q> {
             return Ok(trial);
         }
         // An amount that is sufficient in a quick trial (without the enumeration of contact states) is sufficient in a full trial, too. There are two
-        // exceptions. With many coordinates, a quick trial starts the search for an equilibrium at rest from the contact states of another amount. Of
-        // a force of any direction, quick trials omit some directions.
+        // exceptions. With many coordinates, a quick trial starts the search for an equilibrium at rest from the contact states of another amount. If
+        // the question has a force of any direction, quick trials omit some directions.
         if demand == Demand::Held
             && !uses_band(self.grasp.engine.size())
             && !matches!(self.need.loads, Loads::AnyForce { .. })
@@ -151,7 +152,7 @@ impl<'q> TrialRecord<'q> {
         nearest.map_or_else(Vec::new, |(_, rest)| rest.states.clone())
     }
 
-    /// Whether the state of some contact at rest differs between these two amounts. Both amounts were tried.
+    /// Whether the state of some contact at rest differs between these two amounts, both of which must have been tried.
     pub(super) fn rests_otherwise(&self, one: f64, other: f64) -> bool {
         let known = self.known.borrow();
         let found =
@@ -163,7 +164,7 @@ impl<'q> TrialRecord<'q> {
         found(one).zip(found(other)).is_some_and(|(one, other)| differ(one, other))
     }
 
-    /// Whether the object jumps while the loads are put on with this amount, which was tried.
+    /// Whether the object jumps (moves under constant load) while the loads are put on with this amount, which must have been tried.
     pub(super) fn jumps_with(&self, amount: f64) -> bool {
         let lists = [self.known.borrow(), self.quick.borrow()];
         lists.iter().any(|list| list.iter().any(|(at, trials)| *at == amount && trials.jumps))
@@ -198,7 +199,7 @@ impl<'q> TrialRecord<'q> {
         picked(&known, &|(at, trials)| Some((*at, trials.of(demand)?.clone())))
     }
 
-    /// The range and number of amounts tried. Amounts that only narrow a bracket are counted as one amount.
+    /// The range and number of amounts tried. Amounts closer together than those of a scan, tried to narrow a bracket, are counted as one amount.
     pub(super) fn amounts(&self, demand: Demand) -> TriedAmounts {
         let mut amounts: Vec<f64> = mapped(&self.known(demand), &|(at, _)| *at);
         if matches!(self.need.loads, Loads::AnyForce { .. }) {

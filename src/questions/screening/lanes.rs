@@ -1,4 +1,5 @@
-//! Vectors of numbers with one number ("lane") for each of several grasps.
+//! Vectors of numbers with one number ("lane") for each of several grasps. A block has the data of as many grasps as a vector has lanes; a batch
+//! consists of blocks.
 //!
 //! With `simd` everything here is inlined into its callers. A function that is not inlined would be compiled for the instructions that every
 //! processor has, not for the wider vectors of its caller. Without `simd` inlining would only lengthen compilation.

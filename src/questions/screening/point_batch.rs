@@ -146,10 +146,10 @@ impl<const C: usize> PointBatch<C> {
         blocks: usize,
         answers: &'a mut Vec<Q::Answer>,
     ) -> impl Iterator<Item = BatchPart<'a, C, Q>> {
-        // Kernels write every answer, so that old answers in reused memory need not be cleared.
+        // The kernels, the functions that compute the answers of a block, write every answer. Old answers in reused memory thus need not be cleared.
         let of_grasp = questions.len() * Q::answers(self.contacts);
         answers.resize(self.len * of_grasp, Q::UNKNOWN);
-        // A batch of grasps without contacts has no blocks, but chunks need a length.
+        // A batch of grasps without contacts has no blocks. Each size is then set to one, since the length of chunks must not be zero.
         let (blocks, numbers, commands_and_clearances) =
             (blocks.max(1), Layout::<C>::numbers(self.contacts), (2 * self.contacts).max(1));
         let slots = answers.chunks_mut((blocks * LANES * of_grasp).max(1));

@@ -1,4 +1,5 @@
-//! A load that grows from a base load, as a question of screening: at which load factor does the first contact stop sticking?
+//! A load that grows from a base load, as a question of screening, which answers the same question for many grasps at once: at which load factor does
+//! the first contact stop sticking?
 
 use super::answer_slots::AnswerSlots;
 use super::first_exit::judge;
@@ -10,7 +11,7 @@ use crate::error::Error;
 use crate::grasp::Wrench;
 use crate::numerics::Vectors;
 
-/// A load on a grasp in screening that grows from a base load in a fixed direction: `base + factor · direction`.
+/// A load on the object of every screened grasp that grows from a base load in a fixed direction: `base + factor · direction`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Pull<const C: usize> {
     pub(super) base: Wrench<C>,

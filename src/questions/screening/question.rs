@@ -1,6 +1,6 @@
-//! A question of screening, such as the first slip (at which load factor does the first contact stop sticking?), and the block of grasps for which it
-//! is answered. A block holds as many grasps as a SIMD vector has numbers (lanes). A command is the displacement that a finger would make without the
-//! object. A clearance is the gap between finger and object before the command; it is negative if they overlap.
+//! A question of screening, and the block of grasps for which it is answered. An example is the first slip: at which load factor does the first
+//! contact stop sticking? A block holds as many grasps as a SIMD vector has numbers (lanes). A command is the displacement that a finger would make
+//! without the object. A clearance is the gap between finger and object before the command; it is negative if they overlap.
 
 use super::answer_slots::AnswerSlots;
 use super::block::{Block, Commanded, MOST_SCREENED};
@@ -71,9 +71,9 @@ impl<V: Vectors, const C: usize, X: Packed> PreparedBlock<'_, V, C, X> {
         forces.add_to(self.block.contacts, self.squeezed, ON_THE_EDGE / ZERO_SLACK);
     }
 
-    /// Computes the contact forces that the commands alone cause, and the contact forces that the clearances alone cause. The bound of a force's
-    /// rounding error is set to [`ZERO_SLACK`] (5e-14) times the sum of the magnitudes of its terms, as for forces due to loads. Forces due to
-    /// commands otherwise have the wider bound [`ON_THE_EDGE`] (1e-12) times this sum.
+    /// Computes the contact forces that the commands alone cause, and the contact forces that the clearances alone cause. The bound of the rounding
+    /// error of each force is [`ZERO_SLACK`] (5e-14) times the sum of the magnitudes of its terms, as for forces due to loads. Other methods give
+    /// forces due to commands a wider bound, [`ON_THE_EDGE`] (1e-12) times this sum.
     #[inline(always)]
     pub(super) fn apart(&self, [commands, clearances]: [&mut AnyForces<C, X>; 2]) {
         let [commanded, clearance] = self.block.commands_and_clearances();
@@ -83,7 +83,8 @@ impl<V: Vectors, const C: usize, X: Packed> PreparedBlock<'_, V, C, X> {
             largest = largest.max(clearance.abs());
             *overlap = -*clearance;
         }
-        // Without clearances the forces due to commands are copied from `squeezed`, the forces at rest. Both then agree to the last bit.
+        // Without clearances the forces due to commands are copied from `squeezed`, the forces without a load, so that these forces are equal to the
+        // last bit.
         commands.copy_from(self.squeezed);
         clearances.clear();
         if !largest.is_all(0.0) {
@@ -93,8 +94,8 @@ impl<V: Vectors, const C: usize, X: Packed> PreparedBlock<'_, V, C, X> {
             };
             squeeze(commanded, self.block.commands().sheared, commands);
             squeeze(&overlaps[..contacts], [&[X::all(0.0); MOST_SCREENED][..contacts]; C], clearances);
-            // `free` is positive if work is done along a motion that no contact resists. Clearances only stretch springs and do no such work. Without
-            // this line, rounding of forces that cancel each other could make `free` positive.
+            // `free` is positive if the load or spring forces do work along a motion that no contact resists. Clearances only stretch springs, whose
+            // forces do no such work. Without this line, rounding of forces that cancel each other could make `free` positive.
             clearances.free = X::all(0.0);
         }
         for forces in [commands, clearances] {

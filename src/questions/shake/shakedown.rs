@@ -7,7 +7,7 @@
 //! never comes to rest. A linear program finds it. The multipliers of the linear program prove that no other slips allow a larger λ.
 //!
 //! If slips change no normal force, the grasp does come to rest for every λ up to this bound (Melan's theorem for friction). This does not hold if
-//! friction falls as contacts slide. If slips change normal forces, the order of the loads matters, which [`shake`](super) follows.
+//! friction falls as contacts slide. If slips change normal forces, the order of the loads matters, too; [`shake`](super) takes it into account.
 
 use nalgebra::{DMatrix, Matrix, SVector};
 
@@ -93,7 +93,7 @@ impl Engine {
     ) -> Result<Option<Shakedown<3>>, Error> {
         let at_rest = self.load_alone(base, "base load")?;
         let loads: Vec<_> = tried(given, &|load| self.inside(load, "load that repeats"))?;
-        // Cones that contain the round cone are needed: only then is the greatest factor an upper bound.
+        // The polygonal cones must contain the round cones: only then is the greatest factor an upper bound.
         let around = PolygonCone::new(settings.cone.facets(), PolygonFit::Circumscribed)?;
         let cone = if settings.is_round(self.space()) { around } else { settings.cone };
         let sticking = StickingResponse::new(self, &Settings { cone, ..*settings }.on_the_polygon());
@@ -164,8 +164,8 @@ impl Engine {
     }
 }
 
-/// These forces, with forces within rounding replaced by zero. If slips leave no residual forces, as in a grasp of two opposite contacts, the linear
-/// program would otherwise scale rounding errors up to forces that balance loads.
+/// The forces `forces`, with zero in place of each force that is only rounding. In some grasps, such as two opposite contacts, slips cause no contact
+/// forces. The linear program would otherwise scale the rounding errors up until they balance loads.
 fn without_rounding(forces: &ContactForces) -> Vec<SVector<f64, 3>> {
     let size = forces.sizes.iter().copied().fold(0.0, f64::max);
     mapped(&forces.of, &|force| if force.norm() > SOLVED_ROUNDING * size { *force } else { SVector::zeros() })
@@ -175,7 +175,8 @@ fn without_rounding(forces: &ContactForces) -> Vec<SVector<f64, 3>> {
 /// cone under one load. It has the margin b under the base load, the change a of the margin due to that load, and the changes S due to unit slips.
 /// All numbers are scaled to be near one.
 struct Program {
-    /// For each row of the program, the number of its load (0 for the base load alone, then from 1) and the index of its contact or drive.
+    /// For each row of the program the number of its load, and the index of its contact or drive. Number 0 is the base load alone; other loads are
+    /// counted from 1.
     of: Vec<(usize, usize)>,
     b: Vec<f64>,
     a: Vec<f64>,

@@ -72,7 +72,7 @@ pub(super) struct FacetMargin {
     /// The point z before the last step of the search.
     from: Vec<f64>,
     /// For each datum, the polynomial that gives the change of the margin as a function of the error of this datum. Each coefficient has two parts:
-    /// the change due to the normal force, which the factor on friction multiplies, and the rest.
+    /// the change due to the normal force, which the factor `exp(σ z_f)` on friction multiplies, and the change due to the tangential force.
     pub(super) parts: Vec<[[f64; 2]; LOOKED_AT.len()]>,
     /// The point z at which `gradient`, and `steepness` (the norm of the gradient), were computed.
     pub(super) linearised_at: Vec<f64>,
@@ -122,7 +122,7 @@ impl UncertainForce<'_> {
         margin.parts.extend(self.changes.iter().map(|change| change.each_ref().each(|c| parts(facet, c))));
         let known = parts(facet, &self.known(row));
         margin.curved = 1.0;
-        // If the reliability exceeds the required reliability, `sigmas`, by five, failures are so rare that they are negligible.
+        // If the reliability exceeds the required reliability `sigmas` by five standard deviations, failures are so rare that they are negligible.
         let farthest = self.sigmas + 5.0;
         let mut value = self.linearise(known, involves_friction(facet), margin);
         let mut arrived = false;
@@ -273,7 +273,8 @@ impl FirstOrder {
     }
 }
 
-/// The margin `row·F` of a facet, N, in two parts: the term of the normal force, which the factor on friction multiplies, and the rest.
+/// The margin `row·F` of a facet, N, in two parts: the term of the normal force, which the factor `exp(σ z_f)` on friction multiplies, and the terms
+/// of the tangential force.
 fn parts(row: &SVector<f64, 3>, force: &SVector<f64, 3>) -> [f64; 2] {
     let normal = row[0] * force[0];
     [normal, row.dot(force) - normal]

@@ -1,6 +1,6 @@
 //! An upper bound of the probability that any of several failures happens, if their margins are correlated. A failure is a negative margin of a facet
-//! (a plane that bounds a friction cone, or touches a round one). The point of failure is the smallest set of errors of the data at which the margin
-//! vanishes. The reliability β is its size, in standard deviations.
+//! (a plane that bounds a friction cone, or touches a round one). The point of failure is the shortest vector of errors of the data, in standard
+//! deviations, at which the margin vanishes. Its length is the reliability β.
 //!
 //! For failures E_i and a tree whose edges connect pairs (i, j) of them (Hunter, An upper bound for the probability of a union, 1976)
 //!
@@ -43,8 +43,9 @@ impl Failures {
     /// If the failure is rarer than `rare`, its correlation with others is neglected.
     pub(super) fn add(&mut self, probability: f64, margin: &FacetMargin, contact: usize, rare: f64) {
         let reliability = margin.reliability();
-        // Correlation matters little for rare failures. A negative reliability means that the contact fails more often than not, so that any bound is
-        // far above the allowed probability. At a reliability from 1e3 on the probability of failure is zero in double precision.
+        // Correlation matters little for rare failures. A negative reliability means that the contact fails more often than not. The probability of
+        // failure is then far above the allowed one, whatever the correlation. At a reliability from 1e3 on the probability of failure is zero in
+        // double precision.
         if probability < rare || !(0.0..1e3).contains(&reliability) {
             self.rare += probability;
             return;
@@ -78,7 +79,7 @@ impl Failures {
 }
 
 impl Failure {
-    /// An approximate probability that both failures happen. The first-order probability of this is multiplied by the smaller of the two corrections
+    /// An approximate probability that both failures happen: their joint probability to first order, times the smaller of the two corrections
     /// `probability / first_order`.
     fn with(&self, other: &Self) -> f64 {
         // Only points of one contact share their friction coefficient; the friction coefficients of different contacts are independent.

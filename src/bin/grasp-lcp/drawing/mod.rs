@@ -79,7 +79,7 @@ fn said_first(says: &mut Vec<String>) -> String {
 }
 
 /// Saves two files of charts. The first has a chart for each question with a load path, one below the other: the fraction of its friction limit that
-/// each contact uses. The second has the charts of repeated loads.
+/// each contact uses. The second has charts of slips and friction forces over the cycles of repeated loads.
 fn charts(setup: &Setup<3>, answers: &[Answer<3>], pictures: &Pictures) -> Result<(), Failure> {
     let (grasp, title) = (setup.grasp()?, pictures.title());
     let mut charts = Vec::new();

@@ -1,5 +1,6 @@
 //! The marks of a spatial picture, in the coordinates of the grasp: the marks of the grasp alone, and the marks of each answer. A mark is a line, an
-//! arrow, a cone, a dot or a name; a fixture is something that does not move, a fingertip a contact with all its points.
+//! arrow, a cone, a dot or a name; a fixture is something that does not move. A fingertip is a contact with all its points, a link a joint between
+//! two bodies, such as a cable.
 
 use nalgebra::{Matrix3, Vector3};
 
@@ -31,7 +32,7 @@ pub(super) fn marks_of_the_grasp(drawing: &Drawing) -> Vec<Mark> {
     let (contacts, frames): (_, Vec<_>) = (page.grasp.contacts(), page.grasp.frames().list());
     let names = if drawing.tips.len() > MARKS.most_named { MarkLayer::Pointed } else { MarkLayer::Names };
     for (k, tip) in drawing.tips.iter().enumerate() {
-        // A contact is drawn with a finger behind it, a link by its ends.
+        // A contact is drawn with a finger behind it. A link is drawn as a line between its two ends.
         let at = tip.middle(contacts);
         let tail = at - frames[tip.range.start].column(0) * (SPATIAL.finger * drawing.span);
         let corners = tip.ends_of_link(contacts).map_or(vec![tail, at], |ends| ends.to_vec());

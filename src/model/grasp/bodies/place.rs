@@ -1,8 +1,8 @@
 //! The coordinates that belong to each body, the two bodies that each contact joins, and the loads on bodies.
 //!
-//! One of the bodies has the coordinates of the object, which come first; the coordinates of the other bodies follow those of the joints. Unless it
-//! is shared among several bodies, the load that the caller passes to a question such as `hold` acts on the body with the object's coordinates. A
-//! load program is a sequence of ramps and turns of the loads, along which a load path is followed.
+//! One of the bodies has the coordinates of the object, which come first; the coordinates of the other bodies follow those of the joints. The load
+//! that the caller passes to a question such as `hold` acts on the body with the object's coordinates, or is shared among several bodies. A load
+//! program is a sequence of ramps and turns of the loads, along which a load path is followed.
 
 use alloc::sync::Arc;
 
@@ -226,8 +226,8 @@ impl PlacedBodies {
         !matches!(self.sharing, LoadSharing::OnObject)
     }
 
-    /// These bodies without constant loads. Instead each body carries its entry of `loads` times a factor. The factor is the number of newtons in the
-    /// first force component of the load passed to a question.
+    /// These bodies without constant loads. Instead each body carries its entry of `loads` times a factor. The factor is the first force component,
+    /// in N, of the load passed to a question: with 2 N each body carries twice its entry.
     pub(super) fn growing_together(&self, loads: Vec<Wrench<3>>) -> Self {
         let none = vec![Wrench::ZERO; loads.len()];
         let sharing = LoadSharing::Together { one: Wrench::from_components(&[1.0]), loads };

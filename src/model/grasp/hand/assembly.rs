@@ -95,8 +95,8 @@ impl Assembly {
             let object = self.object();
             self.lengths[object + k] = power_of_two(longest);
         }
-        // At this stage the only drives are the springs of compliance matrices. Each has 1 N/m along its own coordinate, in m. The stiffness is
-        // converted to the reference length of this coordinate.
+        // At this stage the only drives are the springs of compliance matrices. Each has the stiffness 1 N/m along its own coordinate, a displacement
+        // in m. The stiffness is converted to the reference length of this coordinate.
         for drive in &mut self.drives {
             let k = drive.along.iamax();
             let length = self.lengths[k];

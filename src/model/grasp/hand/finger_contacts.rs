@@ -1,5 +1,5 @@
 //! Contacts of a finger: their motion with the joints, the compliance behind them, and the commands that make them press. A command is a prescribed
-//! displacement of a contact or joint.
+//! displacement of a contact or joint. Links are the rigid parts of a finger between its joints.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -91,9 +91,9 @@ impl Assembly {
         Ok(columns)
     }
 
-    /// The springs of a finger's contacts have only the diagonal part D of the finger's compliance matrix D + V Vᵀ. The part V Vᵀ also displaces the
-    /// contacts under the pressing forces of `Contact::pressed_with`. Adds these displacements to the commands, so that the contacts press with the
-    /// given forces. `own` has the columns of V.
+    /// Adds to the commands of a finger's contacts what its compliance takes away, so that the contacts press with the given forces
+    /// `Contact::pressed_with`. The springs of the contacts have only the diagonal part D of the finger's compliance matrix D + V Vᵀ. Under the
+    /// pressing forces the part V Vᵀ displaces the contacts, too; these displacements are added. `own` has the columns of V.
     fn press_on_compliance(&mut self, finger: &Finger<3>, own: &[DVector<f64>]) {
         let (axes, first) = (self.space.axes(), self.contacts.len() - finger.contacts.len());
         for column in own {

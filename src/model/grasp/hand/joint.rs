@@ -1,4 +1,4 @@
-//! One joint of a finger.
+//! One joint of a finger. It moves the links, the rigid parts of the finger, that are farther from the palm.
 
 use alloc::sync::Arc;
 
