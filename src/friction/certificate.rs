@@ -1,4 +1,5 @@
-//! Proofs that no solution exists: whatever forces in the cones act, some contact approaches.
+//! Proofs that no solution exists: under any forces in the friction cones, the normal velocity of some contact is negative, so that its two bodies
+//! would penetrate each other.
 //!
 //! Velocities are u = W r + q for contact forces r; W_N and q_N are the normal rows of W and q. A vector y ≥ 0 with one weight per contact is such a
 //! proof if a = W_Nᵀ y and q_N satisfy

@@ -134,8 +134,8 @@ impl Orthogonal {
         product(self.row(i), y)
     }
 
-    /// A solution v of `A v = Q c` for the factored matrix A and its orthonormal factor Q. Its components for linearly dependent columns of A are
-    /// zero.
+    /// A solution v of `A v = Q c` for the factored matrix A and its orthonormal factor Q. The components of v for columns of A that depend linearly
+    /// on the others (columns without a pivot) are zero.
     pub(crate) fn preimage(&self, c: &Vector) -> Vector {
         let (mut y, mut v) = (Vector::all_zero(self.size()), Vector::all_zero(self.size()));
         let (d, r, over) = (self.size().count(), self.r.as_slice(), self.over_diagonal.as_slice());

@@ -61,8 +61,8 @@ impl Engine {
         let mut displacement = 0.0_f64;
         for (i, site) in self.sites().iter().enumerate() {
             let moved = site.map.tr_mul(&missing.twist).norm();
-            // The displacement of a contact is the sum of terms of the size `span`. The rounding error of storing it, half a unit in the last place
-            // of these terms, is added.
+            // The displacement of a contact is the sum of terms of the size `span`. The rounding error of storing this displacement, half a unit in
+            // the last place of these terms, is added to its error `moved` in the solution.
             displacement = displacement.max(moved + 0.5 * f64::EPSILON * problem.span(i, &at.twist));
         }
         let varied = |pattern| {

@@ -48,7 +48,7 @@ pub(super) struct OnsetMemory {
 
 impl OnsetMemory {
     /// A [`Segment`] along which the load follows `trajectory`, before any contact has slipped. The rates of the offsets of the contacts' springs are
-    /// taken from the field `change`.
+    /// taken from the field `change` of this memory.
     pub(super) fn segment<'g>(
         &mut self,
         grasp: &'g Engine,

@@ -23,7 +23,7 @@ pub(super) const DEFAULT_STIFFNESS: f64 = 1e4;
 impl Setup<3> {
     /// Warnings about contacts and links without a stiffness, if an answer depends on this stiffness. To test this, each question is answered with
     /// several trial stiffnesses, which lie between a tenth and ten times the default and are different for each contact, link and direction. Motions
-    /// always depend on the stiffness of contacts; every `solve` is therefore listed.
+    /// always depend on the stiffness of contacts; the warning therefore lists every question `solve`.
     ///
     /// # Errors
     /// As for [`Self::answers`].

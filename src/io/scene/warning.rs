@@ -29,8 +29,8 @@ pub enum Warning {
     NothingPresses,
     /// Bodies have masses, but the scene has no gravity, and nothing else presses a contact against the object.
     NoGravity,
-    /// The grasp buckles at rest: as the forces turn with the parts they act on, they take more than the springs resist. Answers for small motions do
-    /// not apply. `hold`, `need` and `follow` say so in their first line.
+    /// The grasp buckles at rest: as parts turn, the forces that act on them drive them on more strongly than the springs resist. Answers for small
+    /// motions do not apply. `hold`, `need` and `follow` say so in their first line.
     BucklesAtRest,
     /// Without load a contact presses with another force than its `pressed_with`. That field only sets the stretch of the contact's springs before
     /// the object moves.

@@ -62,7 +62,7 @@ pub(super) fn in_between(all: &[[f64; 3]], found: &[Option<DirectionTrial>]) -> 
     chosen(all.len(), &|k| found[*k].is_none() && (jumps || is_near(*k)))
 }
 
-/// The results of all directions. A direction that was not tried has the result of the nearest one that was.
+/// The results of all directions. A direction that was not tried has the result of the nearest tried direction.
 pub(super) fn everywhere(all: &[[f64; 3]], found: &[Option<DirectionTrial>]) -> Vec<DirectionTrial> {
     let tried = || found.iter().enumerate().filter_map(|(k, trial)| Some((&all[k], (*trial)?)));
     let near = |k: usize| tried().max_by(|(a, _), (b, _)| dot(*a, &all[k]).total_cmp(&dot(*b, &all[k])));

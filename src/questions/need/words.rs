@@ -329,7 +329,7 @@ impl Needed {
         let is_least = self.quantity.is_least();
         let is_beyond = |end: &&FarEnd| {
             let held = held_until.map_or(f64::NAN, |held| held.sufficient);
-            // The bracket of a far end may be as wide as this fraction of the amount.
+            // A far end is known only up to a bracket, whose width may be this fraction of the amount.
             let width = 1e-4 * held.abs();
             if is_least { end.sufficient >= held - width } else { end.sufficient <= held + width }
         };

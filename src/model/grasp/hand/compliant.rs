@@ -1,8 +1,8 @@
 //! Splits the compliance matrix of a finger's contacts into springs of the single contacts and coordinates that couple them.
 //!
 //! The response of a contact to a displacement is explicit and unique only if the contact has springs of its own along its axes. Therefore a diagonal
-//! part D of the compliance matrix C becomes the contacts' springs. The rest, V Vᵀ, becomes one coordinate with a unit spring for each column of V.
-//! With the least eigenvalue λ_min of the matrix in brackets,
+//! part D of the compliance matrix C becomes the contacts' springs. The rest, V Vᵀ, becomes further coordinates of the hand: one for each column of
+//! V, each with a spring of unit stiffness. With the least eigenvalue λ_min of the matrix in brackets,
 //!
 //! ```text
 //! S = diag C,    D = ½ λ_min(S^-½ C S^-½) S,    C = D + V Vᵀ
