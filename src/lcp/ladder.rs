@@ -1,5 +1,5 @@
 //! The sequence of attempts to solve a problem. The covering vector d multiplies the covering variable z₀ in w = q + M z + d z₀. In the slack basis
-//! every slack w_i is basic.
+//! every slack w_i is basic. A Farkas vector y ≥ 0 with Mᵀy ≤ 0 and qᵀy < 0 proves that no solution exists.
 //!
 //! The order is: Lemke's path; a proof of infeasibility from the ray of this path; such a proof by linear programming; other Lemke paths; all
 //! complementary bases. [`Lcp::solve_with`] describes when each attempt is made.

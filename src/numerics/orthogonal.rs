@@ -149,8 +149,8 @@ impl Orthogonal {
     }
 
     /// The coordinates `y = Qᵀx` of the solutions x of `Aᵀx = w`, with the factored matrix A and its orthonormal factor Q. w must be in the range of
-    /// Aᵀ. All solutions x have the same y. It solves the first r rows of `R11ᵀ y = Πᵀw`, with the triangular factor R11 and the column permutation
-    /// Π.
+    /// Aᵀ. All solutions x have the same y. This y solves the first r rows of `R11ᵀ y = Πᵀw`, with the triangular factor R11 and the column
+    /// permutation Π.
     pub(crate) fn load_coordinates(&self, w: &Vector) -> Vector {
         let mut found = Vector::all_zero(self.size());
         let (d, r, over) = (self.size().count(), self.r.as_slice(), self.over_diagonal.as_slice());

@@ -1,5 +1,5 @@
 //! Residuals of an answer: by how much it violates each condition. A finger's offset is its command (a prescribed displacement) minus clearance; an
-//! event is a change of contact states on a load path.
+//! event is a change of contact states on a load path. A bonded contact neither opens nor slips.
 
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;

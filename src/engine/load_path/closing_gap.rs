@@ -55,8 +55,8 @@ fn lets_pass(local: &LocalLaw<'_>, force: &SVector<f64, 3>, velocity: &SVector<f
         Resistance::ByFriction(most) => {
             // `most` is the greatest power with which friction can oppose this velocity under the present normal force; [`Resistance::ByFriction`]
             // holds this power per unit of normal stretch, so it is multiplied by the normal stretch. The tolerance 1e-10 accepts a friction force
-            // whose direction is within √(2·1e-10) rad of the direction against the slip. The last term allows for a normal velocity that is only
-            // rounding.
+            // whose direction is within √(2·1e-10) rad of the direction against the slip. The term `force[0] * none` allows for a normal velocity
+            // that is only rounding.
             let most = most * force[0] / local.springs.force_along(0, 1.0);
             -force.dot(velocity) >= most - 1e-10 * most.abs() - force[0] * none
         }

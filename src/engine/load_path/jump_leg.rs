@@ -37,7 +37,7 @@ pub(super) struct JumpInProgress<'g> {
     /// The leg of the jump, along which the external force in place of the lost friction is removed.
     pub(super) leg: PiecewiseFollower<'g>,
     /// The history of the jump. It has the slip of each contact and drive before the jump, a flag for each that is true if it has slid in the jump so
-    /// far, and the states of all after each change.
+    /// far, and the states of all contacts and drives after each change.
     record: JumpRecord,
     pub(super) changes: Vec<(usize, Change<3>)>,
     /// Indices of contacts and drives whose gaps have closed at the end of a free motion in the jump.

@@ -64,7 +64,7 @@ impl Pace {
             // Rounding errors alone may exceed the allowed error, so that every step is refused, however short. The allowed error therefore grows by
             // the factor 30. Callers still learn the true accuracy, because the estimated error of the path adds up the errors actually made.
             (self.times_raised, self.error_factor) = (self.times_raised + 1, self.error_factor * 30.0);
-            // The first step with the larger allowed error is a thousandth of the rest of the leg.
+            // The first step with the larger allowed error is a thousandth of `rest`, the part of the leg that is still to be followed.
             (self.length, self.refused) = (Some(1e-3 * rest), 0);
         }
         may

@@ -1,7 +1,7 @@
 //! The tangent stiffness of the object at a point of a load path, i.e. the matrix that maps a small motion to the change of the generalised forces
 //! that the contacts exert against it. Coordinates are the components of the object's twist, then the displacements of joints and of further bodies.
-//! This file also has LU factors of the tangent stiffness with one more row and column (the bordered matrix). The matrices are full, or band matrices
-//! if there are many coordinates.
+//! The load factor is the fraction of a section of the load program that is done. This file also has LU factors of the tangent stiffness with one
+//! more row and column (the bordered matrix). The matrices are full, or band matrices if there are many coordinates.
 
 use crate::numerics::{
     Band, Bordered, BorderedBand, Each, Size, Square, Vector, mapped, narrow_order, solved_once, widest,

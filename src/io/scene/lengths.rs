@@ -1,6 +1,6 @@
-//! Converts lengths in the text of a scene from mm, cm or inches to m (feature `json`). A scene is a grasp with its questions. The conversion works
-//! on the text, where field names distinguish lengths from other numbers. The text also has the points at which loads act, while a wrench keeps only
-//! the moment that follows from such a point.
+//! Converts lengths in the text of a scene from mm, cm or inches to m (feature `json`). A scene is a grasp with its questions. A command is the
+//! displacement that a finger, joint or tendon would make without the object. The conversion works on the text, where field names distinguish lengths
+//! from other numbers. The text also has the points at which loads act, while a wrench keeps only the moment that follows from such a point.
 
 use serde_json::{Map, Value};
 

@@ -5,7 +5,7 @@
 //! second derivative is the geometric stiffness K_g, which arises because the lever arms of forces turn with the object (see `equilibrium/left_out`).
 //! If K_g is positive, a load W moves the object by q until it hangs, with `K_g q = W` along the free motions. Example: a weight G hangs at the
 //! distance l below a hinge, and a force F pulls it to the side. The weight then hangs at the angle `F l / (G l)` to the vertical. Motions are small
-//! within the limits of rotation, slip and opening up to which the linear theory is trusted.
+//! within the limits of rotation, slip and opening up to which the linear theory is trusted. A command is a prescribed displacement of a finger.
 
 use nalgebra::{DMatrix, SVector};
 

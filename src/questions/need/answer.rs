@@ -2,7 +2,9 @@
 //!
 //! An amount (of squeeze, friction, load, arm, angle or force) is sufficient if the grasp meets the demand with it. A safe amount is sufficient also
 //! with less friction and squeeze (the field `lower`), or with larger loads (the field `safety`). The squeeze is all that presses without a load,
-//! such as commands (prescribed displacements of fingers) and constant forces.
+//! such as commands (prescribed displacements of fingers) and constant forces. The verdict on an amount says whether the grasp meets the demand with
+//! it, or is undecided. At rest means before the loads of the question act. A drive is the motor of a joint, or a tendon. A jump is a sudden motion
+//! of the object under constant load.
 
 use core::fmt;
 

@@ -1,6 +1,7 @@
 //! Directions of a force that are tried one by one: a set of evenly spread directions, the part of this set that is tried first, and the neighbours
-//! of each direction. The carried part of the load is the load factor up to which the object is held; in a weaker direction it is smaller. In a jump
-//! the object moves suddenly under constant load, until contacts catch it.
+//! of each direction. The carried part of the load is the load factor up to which the object is held; in a weaker direction it is smaller. The
+//! verdict says whether the object is held under the full load, or is undecided. In a jump the object moves suddenly under constant load, until
+//! contacts catch it.
 
 use core::f64::consts::{PI, TAU};
 

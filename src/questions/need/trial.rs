@@ -1,6 +1,7 @@
 //! The trial of one amount (of squeeze, friction, load, arm or angle): whether the grasp meets the demand with it, and the distance to the bound, the
 //! least or greatest sufficient amount. At rest means under the loads that act before the loads of the question. The carried part of the load is the
-//! load factor up to which the demand is met with an amount. Motions are small within the limits up to which the linear theory is trusted.
+//! load factor up to which the demand is met with an amount. The verdict is sufficient, insufficient or undecided. In a jump the object moves
+//! suddenly under constant load. Motions are small within the limits up to which the linear theory is trusted.
 
 use core::cell::{Cell, RefCell};
 

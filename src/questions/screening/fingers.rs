@@ -1,6 +1,7 @@
 //! One grasp, checked and prepared for screening: all that does not depend on the load is computed once. Screening computes the load factor at first
 //! slip, at which the first contact stops sticking. A command is the displacement that a finger would make without the object. A clearance is the gap
-//! between finger and object before the command; it is negative if they overlap.
+//! between finger and object before the command; it is negative if they overlap. The verdict says why there is no load factor, for example because a
+//! contact does not stick before the load grows.
 
 use super::block::MOST_SCREENED;
 use super::gradient::GradientOf;

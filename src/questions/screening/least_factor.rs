@@ -88,8 +88,9 @@ impl<X: Packed> Margin<X> {
         let crossing = line.closing.above(gain_noise, X::all(1.0), zero);
         let unknown = X::all(f64::NAN);
         let through = |yes, no| depth.above(needed, yes, (-depth).above(needed, no, unknown));
-        // If the margin decreases for large factors, it is positive on a bounded interval or nowhere. Else, once positive, it stays positive. If
-        // rounding determines which case applies, the interval is known only if the commands cause no force.
+        // If the margin decreases for large factors, it is positive on a bounded interval or nowhere. If the margin does not decrease for large
+        // factors, it stays positive once it is positive. If rounding determines which of the two applies, the interval is known only if the commands
+        // cause no force.
         let rate = dn.abs().max(line.friction_rate);
         let idle = rate.above(gain_noise, unknown, infinite);
         let (first, last) = (line.first(), line.last());
@@ -99,8 +100,8 @@ impl<X: Packed> Margin<X> {
         let first_off = (noise + first * gain_noise) / slope;
         let is_entered = X::all(f64::MAX);
         let first_off = entered.above(is_entered, zero, first_off);
-        // If the line of forces begins at the apex of the cone, up to rounding, and leads out of the cone, the force leaves the cone at factor zero.
-        // This holds even if rounding gives the quadratic equation other roots.
+        // If the line of forces begins at the apex of the cone (zero force), up to rounding, and leads out of the cone, the force leaves the cone at
+        // factor zero. This holds even if rounding gives the quadratic equation other roots.
         let weight = n.abs() + line.friction;
         let left = weight.above(noise, last.max(zero), zero);
         let chord = self.broken(depth / (last - deepest), self.value / last);

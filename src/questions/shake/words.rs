@@ -1,4 +1,4 @@
-//! The verdict about a repeated load as a sentence.
+//! The verdict about a repeated load as a sentence. In a walk the object moves on by the same motion in every period.
 
 use core::fmt;
 

@@ -1,6 +1,6 @@
 //! Step control of a path followed in steps: tries steps that are as long as the allowed error of contact forces permits. Each step is made twice, in
 //! two halves and at once (in a single step of the same length), and the difference measures its error. A leg is a section of the load program. A
-//! second path makes all its steps at once.
+//! second path makes all its steps at once. A jump is a sudden motion of the object, under nearly constant load, to another equilibrium.
 
 use super::one_step::SteppedState;
 use super::step_doubling::StepDoubling;
