@@ -90,8 +90,8 @@ impl<const C: usize> FrictionProblem<C> {
 
 /// In the plane: the exact sum Σ y_i (W_iN + μ W_iT) for one edge of a contact's cone. It is the weighted normal velocity of all contacts i per unit
 /// normal force on this edge; in a proof y it is at most zero. W_iN and W_iT are the entries of `columns`, the contact's normal and tangential
-/// columns of W, in the normal row of contact i. The products of y_i and μ are split into two doubles without error; `None` if one of them underflows
-/// or overflows.
+/// columns of W, in the normal row of contact i, which is the row `step · i`. The products of y_i and μ are split into two doubles without error;
+/// `None` if one of them underflows or overflows.
 fn edge(y: &DVector<f64>, columns: &[&[f64]], step: usize, mu: f64) -> Option<ExactSum> {
     let mut sum = ExactSum::new();
     for (i, y) in y.iter().enumerate() {

@@ -32,9 +32,9 @@ pub struct Settings {
     /// Lemke's path starts at z = 0 with z₀ so large that q + d z₀ ≥ 0, and ends when z₀ reaches zero. Every entry of d must be finite and
     /// nonnegative, and positive where q is negative; otherwise the solve ends in [`Outcome::Breakdown`](super::Outcome::Breakdown).
     ///
-    /// Another d gives another path. It may end in another solution and, for matrices without a guarantee, in a ray although the path of the default
-    /// d finds a solution. `None` means the vector of ones after rows and columns have been scaled such that nonzero entries of M lie near 1. This
-    /// makes the path independent of the units of rows, columns and q.
+    /// Another d gives another path. It may end in another solution and, for matrices on which Lemke's method is not guaranteed to succeed, in a ray
+    /// although the path of the default d finds a solution. `None` means the vector of ones after rows and columns have been scaled such that nonzero
+    /// entries of M lie near 1. This makes the path independent of the units of rows, columns and q.
     pub covering: Option<DVector<f64>>,
     /// Limit on the number of pivots. A solve that reaches a given limit ends with [`Outcome::PivotLimit`](super::Outcome::PivotLimit).
     ///

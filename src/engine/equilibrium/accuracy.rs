@@ -42,8 +42,8 @@ pub struct Accuracy {
 }
 
 impl Engine {
-    /// Implements [`Grasp::accuracy`](crate::ask::Grasp::accuracy). `None` if the equilibrium lacks this stored solution. `None` also for a state of
-    /// a load path on the round cone in which a contact slides.
+    /// Implements [`Grasp::accuracy`](crate::ask::Grasp::accuracy). `None` if the equilibrium lacks the stored solution of the engine, because it was
+    /// read from a file. `None` also for a state of a load path on the round cone in which a contact slides.
     pub(crate) fn accuracy(&self, equilibrium: &Equilibrium<3>) -> Option<Accuracy> {
         let problem = self.problem_of(equilibrium)?;
         // The slips along a load path on the round cone depend on its history, so that the present state does not determine them.

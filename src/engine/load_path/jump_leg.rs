@@ -267,8 +267,9 @@ impl<'g> PiecewiseFollower<'g> {
     }
 }
 
-/// Whether any equilibrium exists at the load of a jump that did not reach an equilibrium. Contacts that slide have kinetic friction. `problem` is
-/// the static problem at this load. Returns [`Beyond::Snap`] if an equilibrium is found, [`Beyond::LimitLoad`] if no equilibrium exists.
+/// Whether any equilibrium exists at the load of a jump that did not reach an equilibrium. `problem` is the equilibrium problem at this load, in
+/// which contacts that slide have kinetic friction. Returns [`Beyond::Snap`] if an equilibrium is found, [`Beyond::LimitLoad`] if no equilibrium
+/// exists.
 pub(super) fn beyond_a_jump(problem: &Problem<'_>, settings: &Settings) -> Beyond<3> {
     match settle(problem, settings).0 {
         SearchOutcome::Found(..) => Beyond::Snap,

@@ -107,9 +107,9 @@ impl PathStiffness {
     }
 
     /// Solves the bordered linear system once. Its matrix is the tangent stiffness with the column `cover`, the row `gradient` and the corner entry
-    /// `corner` added. `cover` is minus the rate of the load, since the unknown of this column is the load factor. The row `gradient` keeps the
-    /// solution transverse to the path. The right-hand side is zero, except for `last` in the added row. Returns the twist, and the unknown of the
-    /// added column; `None` if the matrix is nearly singular.
+    /// `corner` added. `cover` is minus the rate of the load, since the unknown of this column is the load factor. The added row, `gradient · q +
+    /// corner λ = last` with the twist q and the load factor λ, fixes how far the solution advances along the path. The right-hand side is zero,
+    /// except for `last` in the added row. Returns the twist, and the unknown of the added column; `None` if the matrix is nearly singular.
     pub(super) fn solved_once(
         self,
         size: Size,

@@ -198,13 +198,13 @@ impl<const C: usize> Fingertip<C> {
     }
 }
 
-/// A copy of this grasp without limits on rotation and slip; all motions then count as small.
+/// A copy of `grasp` without limits on rotation and slip; all motions then count as small.
 fn without_limits(grasp: &Grasp<3>) -> Grasp<3> {
     grasp.with(&grasp.settings().with_small_motions(LARGEST, LARGEST))
 }
 
-/// A number in [0, 1) for each `number`; a trial stiffness follows from it. Fractional parts of multiples of the golden ratio fill this interval
-/// evenly, without repeating.
+/// Entry `number` of a sequence in [0, 1), from which trial stiffnesses follow: the fractional parts of multiples of the golden ratio. They fill this
+/// interval evenly, without repeating.
 fn part(number: usize) -> f64 {
     (0.618_033_988_749_895 * number as f64).fract()
 }

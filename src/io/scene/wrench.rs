@@ -110,8 +110,8 @@ impl<'de, const C: usize> Deserialize<'de> for Wrench<C> {
                     "at: is given without a force or a mass, must be left out: a moment acts anywhere".into(),
                 );
             }
-            // The point of action is known if `at` is given, or if a force is given without a moment, which then acts at the origin. If a force and a
-            // moment are given without `at`, only the line of action is known.
+            // The point of action is known if `at` is given, or if a force alone is given, which then acts at the origin. If a force and a moment are
+            // given without `at`, only the line of action is known.
             if at.is_some() || (force.is_some() && moment.is_none()) {
                 let at = vector_of_field(at.as_ref(), axes, "at")?;
                 let force = |a: usize| if a < axes { wrench[a] } else { 0.0 };

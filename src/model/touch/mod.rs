@@ -1,7 +1,7 @@
 //! Contacts from surfaces: pads that close on a part (feature `mesh`).
 //!
 //! A [`Part`] is a triangle mesh, from STL, OBJ or arrays, in m. A [`Touch`] is a [`Pad`] with a position and a closing direction. [`Touch::on`]
-//! computes where it touches a part: the points of one contact, each with its own normal, springs and clearance.
+//! computes where this pad touches a part, as the points of one contact, each with its own normal, springs and clearance.
 //!
 //! # The model
 //!

@@ -9,7 +9,8 @@ use crate::grasp::{Wrench, all_inside, inside, outside};
 use crate::shake::Shakedown;
 use crate::statics::{Budget, Closure, LoadLimit, WrenchBall, WrenchScale};
 
-/// Static questions about a grasp, made by [`Grasp::statics`]: all but [`shakedown`](Self::shakedown) are independent of springs and commands.
+/// Static questions about a grasp, made by [`Grasp::statics`]: all answers but that of [`shakedown`](Self::shakedown) are independent of springs and
+/// commands.
 #[derive(Debug, Clone, Copy)]
 pub struct Statics<'g, const C: usize>(pub(super) &'g Grasp<C>);
 

@@ -4,7 +4,8 @@
 //!
 //! Easier amounts are larger if the least amount is sought, smaller if the greatest is sought; harder amounts are the opposite. The scan finds the
 //! far end, which is the last sufficient amount on the easier side of the bound, and further intervals of sufficient amounts. The carried part of the
-//! load is the load factor up to which the demand is met. A bracket consists of a sufficient amount and its insufficient neighbour.
+//! load is the load factor up to which the demand is met. A bracket consists of a sufficient amount and its insufficient neighbour. A proof that
+//! contact forces cannot balance the loads may exclude all amounts outside a range.
 
 use super::answer::AmountWindow;
 use super::search::{SearchPlan, TrialFunctions};

@@ -155,7 +155,7 @@ impl Needed {
     }
 
     /// Writes that all amounts tried on the harder side (less squeeze, more load) are sufficient, `to` being the last. `until` is the far end, the
-    /// last sufficient amount on the easier side. `None` if all amounts tried on that side are sufficient.
+    /// last sufficient amount on the easier side; it is `None` if all amounts tried on that side are sufficient.
     fn any(
         &self,
         f: &mut fmt::Formatter<'_>,

@@ -100,7 +100,7 @@ impl<const C: usize, const N: usize> Fingers<C, N> {
         (Kernels::get().gradient.one)(&self.grasp, &question, &mut gradients.numbers);
     }
 
-    /// The least factor on the commands, the same for all, with which every contact touches and sticks under each of the loads. Clearances are not
+    /// The least factor s for which, with all commands multiplied by s, every contact touches and sticks under each of the loads. Clearances are not
     /// scaled. If screening has no factor, the verdict says why.
     ///
     /// ```

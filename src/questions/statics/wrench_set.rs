@@ -150,8 +150,8 @@ impl WrenchSet {
         Wrench::among(self.space, &self.space.moved_wrench(&about, &wrench))
     }
 
-    /// The motion in the user's coordinates that corresponds to a direction of the set. Along this motion a wrench does the work `direction · w`,
-    /// where w is the wrench converted by [`Self::inside`].
+    /// The motion, in the user's coordinates, that corresponds to `direction`, a vector in the coordinates of the set. Along this motion a wrench
+    /// does the work `direction · w`, where w is the wrench converted by [`Self::inside`].
     pub(super) fn motion(&self, direction: Vector) -> Twist<3> {
         let about = SVector::from(self.scale.about);
         let direction = scaled(self.space, direction, 1.0 / self.scale.length);
