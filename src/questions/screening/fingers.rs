@@ -45,8 +45,8 @@ impl<const C: usize, const N: usize> Fingers<C, N> {
     /// The grasp with these contacts, checked and prepared for screening. With fewer than two or more than five contacts, the call does not compile.
     ///
     /// # Errors
-    /// [`Error::Contact`] naming the first contact, field and value that is out of range. In space the stiffness of a contact must be equal along both
-    /// tangents. A contact must not have a given constant force or suction.
+    /// [`Error::Contact`] naming the first contact, field and value that is out of range. In space the stiffness of a contact must be equal along
+    /// both tangents. A contact must not have a given constant force or suction.
     pub fn new(contacts: &[Contact<C>; N]) -> Result<Self, Error> {
         const { assert!(2 <= N && N <= MOST_SCREENED, "screening is for two to five contacts") };
         (Kernels::get().prepare)(contacts).map(|grasp| Self { grasp })
