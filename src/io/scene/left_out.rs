@@ -1,6 +1,6 @@
 //! Stiffnesses that a scene does not give: their defaults, and trials with other values that show whether answers depend on them. A setup is a grasp
-//! with its questions. A link (a hinge, spring or cable, for example) joins two bodies. The load factor is the multiple of a question's load. A
-//! motion counts as small as long as it stays within the limits up to which the linear theory is trusted.
+//! with its questions. A link (a hinge, spring or cable, for example) joins two bodies, or a body and the ground. The load factor is the multiple of
+//! a question's load. A motion counts as small as long as it stays within the limits up to which the linear theory is trusted.
 
 use super::fingertip::Fingertip;
 use super::link::LinkSetup;

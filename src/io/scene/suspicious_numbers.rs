@@ -1,6 +1,6 @@
 //! Suspicious numbers in a scene: friction in percent, lengths in mm, masses in g, angles in degrees, normals that point outwards, and contacts that
 //! are given twice. The base load of a question acts before its other loads. An outline is a closed line, which bounds an object in the plane. A link
-//! (a hinge, spring or cable, for example) joins two bodies.
+//! (a hinge, spring or cable, for example) joins two bodies, or a body and the ground.
 
 use core::f64::consts::TAU;
 

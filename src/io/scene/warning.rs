@@ -1,7 +1,7 @@
 //! Warnings about probable mistakes in a scene. The scene can be answered nevertheless. At rest means without load, or under the constant base load
 //! of a question. A command is the displacement that a finger would make without the object. A clearance is the gap before the command; contacts with
 //! a negative clearance overlap and press. A drive is the motor of a joint, or a tendon. A link (a hinge, spring or cable, for example) joins two
-//! bodies.
+//! bodies, or a body and the ground.
 
 use serde::Serialize;
 
