@@ -1,4 +1,5 @@
-//! Proofs that no solution exists: whatever forces in the cones act, some contact approaches.
+//! Proofs that no solution exists: under any forces in the friction cones, the normal velocity of some contact is negative, so that its two bodies
+//! would penetrate each other.
 //!
 //! Velocities are u = W r + q for contact forces r; W_N and q_N are the normal rows of W and q. A vector y ≥ 0 with one weight per contact is such a
 //! proof if a = W_Nᵀ y and q_N satisfy
@@ -89,8 +90,8 @@ impl<const C: usize> FrictionProblem<C> {
 
 /// In the plane: the exact sum Σ y_i (W_iN + μ W_iT) for one edge of a contact's cone. It is the weighted normal velocity of all contacts i per unit
 /// normal force on this edge; in a proof y it is at most zero. W_iN and W_iT are the entries of `columns`, the contact's normal and tangential
-/// columns of W, in the normal row of contact i. The products of y_i and μ are split into two doubles without error; `None` if one of them underflows
-/// or overflows.
+/// columns of W, in the normal row of contact i, which is the row `step · i`. The products of y_i and μ are split into two doubles without error;
+/// `None` if one of them underflows or overflows.
 fn edge(y: &DVector<f64>, columns: &[&[f64]], step: usize, mu: f64) -> Option<ExactSum> {
     let mut sum = ExactSum::new();
     for (i, y) in y.iter().enumerate() {

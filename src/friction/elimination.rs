@@ -1,8 +1,8 @@
 //! Block elimination of systems with one block row per contact. Contacts with few neighbours are eliminated first.
 //!
 //! In piles and stacks each contact is coupled with few others, so most blocks are zero and remain so. Pivots are the diagonal blocks, without a
-//! search for larger pivots in other block rows. Usually the matrix W from forces to velocities is positive semidefinite, and these pivots are
-//! regular. If a pivot is singular, [`solve`] returns `None`.
+//! search for larger pivots in other block rows. Usually the matrix W, which maps contact forces to velocities, is positive semidefinite, and these
+//! pivots are regular. If a pivot is singular, [`solve`] returns `None`.
 
 use super::blocks::{Blocks, ContactBlock};
 use super::problem::part;

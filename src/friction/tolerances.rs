@@ -1,8 +1,9 @@
 //! Tolerances of the solvers of frictional contact problems.
 //!
 //! All tolerances are without units: forces are compared with forces, and relative velocities `W r + q` with their terms. Here r are the contact
-//! forces, W is the matrix from forces to velocities, and q are the velocities without contact forces. ε = 2⁻⁵². Limits for problems that are
-//! dominated by rounding are in `lcp::tolerances`.
+//! forces, W is the matrix from forces to velocities, and q are the velocities without contact forces. ε = 2⁻⁵². The central path leads through the
+//! interior of the friction cones to a solution, as its parameter τ decreases to zero; at a fold of the path τ increases again. Limits for problems
+//! that are dominated by rounding are in `lcp::tolerances`.
 
 /// Residual, relative to the norm of its terms, at which a round of anchored Newton steps (with a proximal term) has converged.
 ///
@@ -23,14 +24,14 @@ pub(super) const WORTH_POLISHING: f64 = 1e-6;
 /// singular.
 pub(super) const LEAST_ANCHOR: f64 = 1e-12;
 
-/// Along the central path a multiple of the identity is added to each contact's diagonal block of the matrix W. This number is its ratio to the size
-/// of the block. The addition makes the equations of redundant contacts regular.
+/// Along the central path a multiple of the identity is added to each contact's diagonal block of the matrix W. This number is the ratio of that
+/// multiple to the size of the block. The addition makes the equations of redundant contacts regular.
 ///
 /// If smaller, equations are singular inside the cones; if larger, the forces at the end of the path solve a visibly different problem.
 pub(super) const SHIFTED_BLOCK: f64 = 1e-9;
 
-/// A point counts as on the central path, followed around its folds, if the root mean square of the residuals is at most this fraction of √τ. τ is
-/// the parameter of the path.
+/// A point counts as on the central path, followed around its folds, if the root mean square of the residuals is at most this fraction of √τ, with
+/// the parameter τ of the path.
 ///
 /// If smaller, each step needs more corrections; if larger, the path jumps to another branch.
 pub(super) const ON_CENTRAL_PATH: f64 = 1e-2;

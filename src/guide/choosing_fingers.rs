@@ -48,8 +48,8 @@
 //! ```
 //!
 //! Each jaw again carries half of the weight W, and keeps a margin of `μ N - W / 2`, where N is the normal force. Here one jaw is higher by `W e /
-//! N`, 4 mm, so that the couple balances the weight of 4 N. With the 10 mm of the first question this weight would turn the box, and the jaws would
-//! carry unequal parts of it.
+//! N`, 4 mm, so that the couple balances the weight of 4 N. With the difference in height of 10 mm, the answer to the first question, this weight
+//! would turn the box, and the jaws would carry unequal parts of it.
 //!
 //! # Guarantees of the answer
 //!

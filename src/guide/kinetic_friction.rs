@@ -42,10 +42,10 @@
 //! # Limitations
 //!
 //! * **No overshoot.** *Counting no momentum*, the object comes to rest where forces balance, as if it moved in oil. If a slider is pulled by a
-//!   spring, the spring force then falls from `μ_s N` to `μ_k N`, and the slider slides steadily. Without damping the spring force falls twice as
-//!   far, to `(2 μ_k - μ_s) N`. The slider then sticks, and all this repeats: stick-slip. In such a jump the change of force at other contacts is up
-//!   to about twice the computed change. Contacts that catch the object in the computation may then fail to do so. `2 μ_k - μ_s` in place of `μ_k`
-//!   shows this effect; for one spring it is exact.
+//!   spring, the spring force falls at first slip from `μ_s N` to `μ_k N`, and the slider then slides steadily. Without damping the spring force
+//!   falls twice as far, to `(2 μ_k - μ_s) N`. The slider then sticks, and all this repeats: stick-slip. In such a jump the change of force at other
+//!   contacts is up to about twice the computed change. Contacts that catch the object in the computation may then fail to do so. `2 μ_k - μ_s` in
+//!   place of `μ_k` shows this effect; for one spring it is exact.
 //! * **The path of a jump.** If several contacts join in, or one sticks again on the way, the damping may decide. The tests move 400 random planar
 //!   grasps through a viscous medium: all were caught or lost as computed, and 14 came to rest elsewhere.
 //! * **Another equilibrium.** If a jump is not caught, [`LoadPath::beyond`](crate::load_path::Path::beyond) says whether an equilibrium exists with

@@ -1,5 +1,5 @@
 //! The sequence of attempts to solve a problem. The covering vector d multiplies the covering variable z₀ in w = q + M z + d z₀. In the slack basis
-//! every slack w_i is basic.
+//! every slack w_i is basic. A Farkas vector y ≥ 0 with Mᵀy ≤ 0 and qᵀy < 0 proves that no solution exists.
 //!
 //! The order is: Lemke's path; a proof of infeasibility from the ray of this path; such a proof by linear programming; other Lemke paths; all
 //! complementary bases. [`Lcp::solve_with`] describes when each attempt is made.
@@ -78,9 +78,10 @@ impl Workspace {
         let units = self.path.scaling.row_unit.iter().enumerate();
         self.path.d.clear();
         self.path.d.extend(
-            // Entry i of the covering vector d is 2^e times the unit of row i of the balanced problem, with e between −3 and 3. In a narrower range
-            // the paths would stay close to the first path. In a wider range the problems would be badly scaled. Each attempt starts a million
-            // entries further in the sequence [`generic`]. A dense problem has fewer than a million rows, so attempts share no entry.
+            // Entry i of the covering vector d is 2^e times `unit`, the factor that row i lacks because its scaling is rounded to a power of two.
+            // Here e is between −3 and 3. In a narrower range the paths would stay close to the first path. In a wider range the problems would be
+            // badly scaled. The exponents follow from a fixed list of irregular numbers ([`generic`]), in which each attempt starts a million numbers
+            // further. A dense problem has fewer than a million rows, so attempts share no number.
             units.map(|(i, unit)| unit * (6.0 * (generic(attempt * 1_000_003 + i) - 1.0)).exp2()),
         );
         let limit = settings.retry_limit(lcp.len(), self.path.pivots);

@@ -5,8 +5,8 @@
 //! does not change when rows or columns of M are multiplied by positive numbers. The path of a solver that works on the scaled matrix is therefore
 //! independent of units.
 //!
-//! Scaling by the largest entries has no such property: its result depends on the initial scaling. If M has zeros, q is included as one more
-//! column. Otherwise uncoupled blocks of M would each keep an undetermined factor.
+//! Scaling by the largest entries has no such property: its result depends on the initial scaling. If M has zeros, q is included as one more column.
+//! Without q, uncoupled blocks of M would each keep an undetermined factor.
 //!
 //! The data are multiplied only by powers of two, which causes no rounding and preserves ties. Each ρ_i is therefore rounded to an integer. The
 //! factor that row i lacks as a result becomes entry i of the covering vector d, which need not consist of powers of two.

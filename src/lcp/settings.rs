@@ -1,4 +1,5 @@
-//! Limits, tolerances and the covering vector of a solve. The problem is 0 ≤ z ⟂ w = M z + q ≥ 0.
+//! Limits, tolerances and the covering vector of a solve. The problem is 0 ≤ z ⟂ w = M z + q ≥ 0. Lemke's method pivots along a path of bases, which
+//! ends in a solution or in a ray, an unbounded edge.
 
 use super::outcome::BreakdownCause;
 use nalgebra::DVector;
@@ -31,9 +32,9 @@ pub struct Settings {
     /// Lemke's path starts at z = 0 with z₀ so large that q + d z₀ ≥ 0, and ends when z₀ reaches zero. Every entry of d must be finite and
     /// nonnegative, and positive where q is negative; otherwise the solve ends in [`Outcome::Breakdown`](super::Outcome::Breakdown).
     ///
-    /// Another d gives another path. It may end in another solution and, for matrices without a guarantee, in a ray although the path of the default
-    /// d finds a solution. `None` means the vector of ones after rows and columns have been scaled such that nonzero entries of M lie near 1. This
-    /// makes the path independent of the units of rows, columns and q.
+    /// Another d gives another path. It may end in another solution and, for matrices on which Lemke's method is not guaranteed to succeed, in a ray
+    /// although the path of the default d finds a solution. `None` means the vector of ones after rows and columns have been scaled such that nonzero
+    /// entries of M lie near 1. This makes the path independent of the units of rows, columns and q.
     pub covering: Option<DVector<f64>>,
     /// Limit on the number of pivots. A solve that reaches a given limit ends with [`Outcome::PivotLimit`](super::Outcome::PivotLimit).
     ///
@@ -49,8 +50,8 @@ pub struct Settings {
     /// largest entry counts as at least 1, after M has been scaled such that its nonzero entries lie near 1.
     ///
     /// The tolerance guards against pivots on rounding errors where the true coefficient is zero. These errors are some 1e-16 times the growth of the
-    /// elimination. Below 1e-14 rounding errors become pivots and turn rays into wrong bases; above 1e-6 true blocking rows of ill-conditioned
-    /// problems are overlooked.
+    /// elimination. Below 1e-14 rounding errors become pivots, and a path that should end in a ray continues to wrong bases; above 1e-6 true blocking
+    /// rows of ill-conditioned problems are overlooked.
     pub pivot_tolerance: f64,
     /// A basic variable counts as zero after a step of the entering variable if its remaining value is at most this fraction of its decrease in the
     /// step (default 1e-12). Variables that are zero in this sense after the shortest step tie. A value below its own rounding error counts as zero
@@ -58,7 +59,7 @@ pub struct Settings {
     ///
     /// The tolerance is needed by the tie rule: rows that tie in exact arithmetic must be recognised as ties although rounding separates them. At 0
     /// exact ties may be missed, and if z₀ then does not leave, the path of a solvable problem continues into a ray. Above 1e-8 rows that do not tie
-    /// are treated as ties, and values of that size become negative.
+    /// are treated as ties, and basic variables may become negative by this fraction.
     pub tie_tolerance: f64,
     /// Largest [`Residuals`](super::Residuals), recomputed from the given M and q, with which a point is accepted as a solution (default 1e-10).
     ///
@@ -68,7 +69,7 @@ pub struct Settings {
     /// Whether linear programming searches for a proof that no z ≥ 0 satisfies M z + q ≥ 0, if a ray contains no proof (default `true`).
     ///
     /// The proof decides problems that otherwise end in a ray. Up to 64 rows the search solves up to four linear programs, for more rows one. Each
-    /// program costs one path of a problem of 2 n + 1 rows. Without this search most infeasible problems end in
+    /// program takes as long as one path of a problem of 2 n + 1 rows. Without this search most infeasible problems end in
     /// [`Outcome::Ray`](super::Outcome::Ray), after all retries.
     pub prove_infeasible: bool,
     /// Number of retries (default 8). Each retry follows a path with another covering vector and, if that fails, a path from another starting basis.

@@ -134,8 +134,8 @@ impl Orthogonal {
         product(self.row(i), y)
     }
 
-    /// A solution v of `A v = Q c` for the factored matrix A and its orthonormal factor Q. Its components for linearly dependent columns of A are
-    /// zero.
+    /// A solution v of `A v = Q c` for the factored matrix A and its orthonormal factor Q. The components of v for columns of A that depend linearly
+    /// on the others (columns without a pivot) are zero.
     pub(crate) fn preimage(&self, c: &Vector) -> Vector {
         let (mut y, mut v) = (Vector::all_zero(self.size()), Vector::all_zero(self.size()));
         let (d, r, over) = (self.size().count(), self.r.as_slice(), self.over_diagonal.as_slice());
@@ -149,8 +149,8 @@ impl Orthogonal {
     }
 
     /// The coordinates `y = Qᵀx` of the solutions x of `Aᵀx = w`, with the factored matrix A and its orthonormal factor Q. w must be in the range of
-    /// Aᵀ. All solutions x have the same y. It solves the first r rows of `R11ᵀ y = Πᵀw`, with the triangular factor R11 and the column permutation
-    /// Π.
+    /// Aᵀ. All solutions x have the same y. This y solves the first r rows of `R11ᵀ y = Πᵀw`, with the triangular factor R11 and the column
+    /// permutation Π.
     pub(crate) fn load_coordinates(&self, w: &Vector) -> Vector {
         let mut found = Vector::all_zero(self.size());
         let (d, r, over) = (self.size().count(), self.r.as_slice(), self.over_diagonal.as_slice());

@@ -184,7 +184,8 @@ impl OptionVectors {
         Ok(slips)
     }
 
-    /// The slip of one row; `heads` are the names of the columns. Groups are numbered in the order in which the table first names them.
+    /// The slip of one row; `heads` are the names of the columns. Slips of one group, named in the column `group`, may share an error. Groups are
+    /// numbered in the order in which the table first names them.
     fn slip<'a>(
         self,
         (heads, cells): (&[&str], &[&'a str]),

@@ -1,5 +1,6 @@
 //! Estimated errors of forces and displacements of an equilibrium, and the condition number of its contact forces. A command is a prescribed
-//! displacement of a finger.
+//! displacement of a finger. An equilibrium stores the solution, in the engine's scaled units, from which it was made, unless it was read from a
+//! file.
 
 use nalgebra::SVector;
 
@@ -41,8 +42,8 @@ pub struct Accuracy {
 }
 
 impl Engine {
-    /// Implements [`Grasp::accuracy`](crate::ask::Grasp::accuracy). `None` if the equilibrium lacks the engine's solution, as after reading it from a
-    /// file. `None` also for a state of a load path on the round cone in which a contact slides.
+    /// Implements [`Grasp::accuracy`](crate::ask::Grasp::accuracy). `None` if the equilibrium lacks the stored solution of the engine, because it was
+    /// read from a file. `None` also for a state of a load path on the round cone in which a contact slides.
     pub(crate) fn accuracy(&self, equilibrium: &Equilibrium<3>) -> Option<Accuracy> {
         let problem = self.problem_of(equilibrium)?;
         // The slips along a load path on the round cone depend on its history, so that the present state does not determine them.
@@ -61,8 +62,8 @@ impl Engine {
         let mut displacement = 0.0_f64;
         for (i, site) in self.sites().iter().enumerate() {
             let moved = site.map.tr_mul(&missing.twist).norm();
-            // The displacement of a contact is the sum of terms of the size `span`. The rounding error of storing it, half a unit in the last place
-            // of these terms, is added.
+            // The displacement of a contact is the sum of terms of the size `span`. The rounding error of storing this displacement, half a unit in
+            // the last place of these terms, is added to its error `moved` in the solution.
             displacement = displacement.max(moved + 0.5 * f64::EPSILON * problem.span(i, &at.twist));
         }
         let varied = |pattern| {

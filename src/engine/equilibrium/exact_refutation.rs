@@ -1,8 +1,8 @@
 //! Checks a case-by-case proof of no equilibrium ([`Refutation`](super::Refutation)) in exact rational arithmetic, on the numbers of the problem.
 //!
-//! A case has a virtual motion of the object and virtual contact forces. The forces are first made to balance one another exactly, by changing six of
-//! their components. The gain of the case is the work of these forces along the offsets (commanded displacements of fingers minus clearances), minus
-//! the work of the load along the motion. The gain must be positive.
+//! A case restricts the states in which each contact may be. Its proof is a virtual motion of the object with virtual contact forces. These forces
+//! are first made to balance one another exactly, by changing six of their components. The gain of the case is the work of these forces along the
+//! offsets (commanded displacements of fingers minus clearances), minus the work of the load along the motion. The gain must be positive.
 //!
 //! In each case the contact law is relaxed to a convex cone: a polygon around an arc of friction directions replaces the arc. For each generator of
 //! this cone, the virtual work divided by the square root of the generator's energy must not exceed a bound. The bound is the gain divided by

@@ -1,5 +1,5 @@
 //! Residuals of an answer: by how much it violates each condition. A finger's offset is its command (a prescribed displacement) minus clearance; an
-//! event is a change of contact states on a load path.
+//! event is a change of contact states on a load path. A bonded contact neither opens nor slips.
 
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
@@ -8,9 +8,10 @@ use crate::serial::AsComputed;
 /// the round cone) is called an equilibrium.
 ///
 /// Residuals are recomputed from points, frames, stiffnesses, commands and load, not from data of the solver. Forces are divided by the largest
-/// contact force or load, but at least by 1e-25 of the least force that the displacements could cause in a spring. Displacements of a contact are
-/// divided by the sum of the sizes of its own displacements. Products of force and displacement are divided by the product of these two divisors. On
-/// a load path only the slip since the contact states were last determined is used, for example since the last event.
+/// contact force or load, but at least by 1e-25 of the least force that the displacements could cause in a spring, so that the divisor is not zero.
+/// Displacements of a contact are divided by the sum of the sizes of its own displacements. Products of force and displacement are divided by the
+/// product of these two divisors. On a load path only the slip since the contact states were last determined is used, for example since the last
+/// event.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]

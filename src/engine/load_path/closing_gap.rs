@@ -2,17 +2,18 @@
 //! is a motion of the object, at constant load, to another equilibrium. Drives of joints and tendons are treated like contacts.
 //!
 //! If nothing resists the motion v with which the object leaves, forces stay constant along v: no spring is stretched further, and friction is
-//! exhausted already. Thus the object is in balance under the load of the loss everywhere along the motion. The motion ends after the displacement δ
-//! v, at which the first gap closes. Contact i has the normal n_i into the object, the grasp map G_i and the gap gap_i. The minimum runs over all
-//! open contacts whose gap decreases along v:
+//! exhausted already. Thus the object is in balance everywhere along the motion, under the load at which equilibrium was lost. The motion ends after
+//! the displacement δ v, at which the first gap closes. Contact i has the normal n_i into the object, the grasp map G_i and the gap gap_i. The
+//! minimum runs over all open contacts whose gap decreases along v:
 //!
 //! ```text
 //! δ = min gap_i / (-n_i·G_iᵀv)
 //! ```
 //!
 //! At the closed gap the path continues at the same load, and contacts keep the slips that the motion has caused. If kinetic friction is lower,
-//! contacts that begin to slide lose some of their friction force. This force is removed first, along a separate leg ([`super::jump_leg`]) on which
-//! the gap may already close. If the motion would be too large for linear kinematics, it is not made, and the path ends with the loss.
+//! contacts that begin to slide lose some of their friction force. This lost force is removed first, along a separate leg ([`super::jump_leg`]), i.e.
+//! a section of the path; the gap may close on this leg already. If the motion would be too large for linear kinematics, it is not made, and the path
+//! ends with the loss.
 
 use super::event::{Change, Event, Loss, LossKind, PathEnd};
 use super::follower::Follower;
@@ -54,8 +55,8 @@ fn lets_pass(local: &LocalLaw<'_>, force: &SVector<f64, 3>, velocity: &SVector<f
         Resistance::ByFriction(most) => {
             // `most` is the greatest power with which friction can oppose this velocity under the present normal force; [`Resistance::ByFriction`]
             // holds this power per unit of normal stretch, so it is multiplied by the normal stretch. The tolerance 1e-10 accepts a friction force
-            // whose direction is within √(2·1e-10) rad of the direction against the slip. The last term allows for a normal velocity that is only
-            // rounding.
+            // whose direction is within √(2·1e-10) rad of the direction against the slip. The term `force[0] * none` allows for a normal velocity
+            // that is only rounding.
             let most = most * force[0] / local.springs.force_along(0, 1.0);
             -force.dot(velocity) >= most - 1e-10 * most.abs() - force[0] * none
         }
@@ -147,7 +148,8 @@ impl<'g> PiecewiseFollower<'g> {
     }
 
     /// The event that replaces the loss `loss`: the object, which nothing resists, moves until a gap closes, and the path continues with this gap
-    /// closed. `None` if no gap closes, if a jump (motion at constant load) has failed here, or if no integration steps are left.
+    /// closed. `None` if no gap closes, if a jump (motion at constant load) from this point of the path has failed, or if no integration steps are
+    /// left.
     pub(super) fn closing_gap_event(&mut self, run: &ProgramRun<'g>, loss: &Loss<3>) -> Option<Event<3>> {
         if self.failed_jump.is_some() || self.pace.steps >= run.settings.most_steps {
             return None;

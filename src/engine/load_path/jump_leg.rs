@@ -37,7 +37,7 @@ pub(super) struct JumpInProgress<'g> {
     /// The leg of the jump, along which the external force in place of the lost friction is removed.
     pub(super) leg: PiecewiseFollower<'g>,
     /// The history of the jump. It has the slip of each contact and drive before the jump, a flag for each that is true if it has slid in the jump so
-    /// far, and the states of all after each change.
+    /// far, and the states of all contacts and drives after each change.
     record: JumpRecord,
     pub(super) changes: Vec<(usize, Change<3>)>,
     /// Indices of contacts and drives whose gaps have closed at the end of a free motion in the jump.
@@ -57,11 +57,11 @@ impl<'g> JumpInProgress<'g> {
     }
 
     /// Follows the leg of the jump to its end, where the load is `goal`. Friction forces that further contacts lose on the leg are removed as well.
-    /// If the equilibrium is lost, the object moves until a gap closes. The error is the end of the path: if no gap closes, or if the number of
+    /// If the equilibrium is lost, the object moves until a gap closes. Returns the end of the path as an error if no gap closes, or if the number of
     /// removals and free motions exceeds its limit.
     pub(super) fn run(&mut self, goal: &Vector, run: &ProgramRun<'g>) -> Result<(), PathEnd<3>> {
-        // Upper limit of the number of removals of lost friction force and free motions in a jump: sixteen for each contact and drive. Each of them
-        // loses energy, so that they cannot go on for ever; still more could only result from rounding.
+        // Upper limit of the number of removals of lost friction force and free motions in a jump: sixteen for each contact and drive. Each removal
+        // or free motion loses energy, so that they cannot go on for ever. A larger number could only result from rounding.
         let mut left = 16 * self.record.slid.len();
         loop {
             let begin = match self.advance_to_node(run) {
@@ -118,7 +118,7 @@ impl<'g> JumpInProgress<'g> {
 impl<'g> PiecewiseFollower<'g> {
     /// The leg of the jump that begins when the contacts `begin` start to slide with kinetic friction. The friction forces that they lose are first
     /// applied to the object as an external force, which the leg removes; at its end the load is `goal`. `None` if these contacts have no force to
-    /// lose (the apex of their cones): the caller then computes again how the path continues, now with kinetic friction.
+    /// lose (their forces are zero, at the apex of their cones): the caller then computes again how the path continues, now with kinetic friction.
     pub(super) fn leg_of_release(
         &mut self,
         goal: &Vector,
@@ -172,8 +172,8 @@ impl<'g> PiecewiseFollower<'g> {
         Ok(Some(leg))
     }
 
-    /// Makes the jump (motion at constant load) that follows when the contacts `begin` start to slide with kinetic friction. `None` if the list
-    /// is empty, or if these contacts have no force to lose. The error is the end of the path, if no equilibrium is reached.
+    /// Makes the jump (motion at constant load) that follows when the contacts `begin` start to slide with kinetic friction. `None` if the list is
+    /// empty, or if these contacts have no force to lose. Returns the end of the path as an error if no equilibrium is reached.
     pub(super) fn jump(
         &mut self,
         run: &ProgramRun<'g>,
@@ -267,8 +267,9 @@ impl<'g> PiecewiseFollower<'g> {
     }
 }
 
-/// Whether any equilibrium exists at the load of a jump that has led to none. Contacts that slide have kinetic friction. `problem` is the static
-/// problem at this load. Returns [`Beyond::Snap`] if an equilibrium is found, [`Beyond::LimitLoad`] if no equilibrium exists.
+/// Whether any equilibrium exists at the load of a jump that did not reach an equilibrium. `problem` is the equilibrium problem at this load, in
+/// which contacts that slide have kinetic friction. Returns [`Beyond::Snap`] if an equilibrium is found, [`Beyond::LimitLoad`] if no equilibrium
+/// exists.
 pub(super) fn beyond_a_jump(problem: &Problem<'_>, settings: &Settings) -> Beyond<3> {
     match settle(problem, settings).0 {
         SearchOutcome::Found(..) => Beyond::Snap,

@@ -1,6 +1,6 @@
 //! Memory that the computation of one onset passes on to the computation of the next onset. An onset is the load factor at which a contact stops
 //! sticking for the first time. The base load acts from the start, and the load of the question, times a growing load factor, in addition. A drive,
-//! the spring of a joint or tendon of a hand, is treated like a contact.
+//! the spring of a joint or tendon of a hand, is treated like a contact. The twist is the motion of the object, of joints and of further bodies.
 
 use alloc::sync::Arc;
 
@@ -48,7 +48,7 @@ pub(super) struct OnsetMemory {
 
 impl OnsetMemory {
     /// A [`Segment`] along which the load follows `trajectory`, before any contact has slipped. The rates of the offsets of the contacts' springs are
-    /// taken from the field `change`.
+    /// taken from the field `change` of this memory.
     pub(super) fn segment<'g>(
         &mut self,
         grasp: &'g Engine,

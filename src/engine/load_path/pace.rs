@@ -1,6 +1,6 @@
 //! The choice of step lengths along an arc, a piece of the path on which directions of sliding turn. A leg is a section of the load program; the load
-//! factor is the fraction of it that is done. A node is an event or the start of a leg. Arclength is measured along the curve of the twist, divided
-//! by a unit of displacement, and the load factor.
+//! factor is the fraction of it that is done. A node is an event or the start of a leg. Arclength is measured along the curve (q/u, λ), with the
+//! twist q, a unit u of displacement and the load factor λ.
 
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
@@ -10,7 +10,8 @@ const ERROR_ORDER: f64 = 8.0;
 /// The length of the next step is this fraction of the length that the error estimate allows. Because 0.8⁸ is about 1/6, the expected error of
 /// the next step is then a sixth of the allowed error. So few steps are refused, and the sum of the errors of many steps stays small.
 const CAUTION: f64 = 0.8;
-/// A step is at least this fraction as long as the step before it. The error estimate is only valid for small changes of the length.
+/// A step is at least this fraction as long as the step before it. The rule that the error is proportional to a power of the length holds only for
+/// small changes of the length.
 const LEAST_RATIO: f64 = 0.2;
 
 /// The data of the step control along an arc that pass from step to step: the length of the next step, its kind (explicit or implicit), and
@@ -63,7 +64,7 @@ impl Pace {
             // Rounding errors alone may exceed the allowed error, so that every step is refused, however short. The allowed error therefore grows by
             // the factor 30. Callers still learn the true accuracy, because the estimated error of the path adds up the errors actually made.
             (self.times_raised, self.error_factor) = (self.times_raised + 1, self.error_factor * 30.0);
-            // The first step with the larger allowed error is a thousandth of the rest of the leg.
+            // The first step with the larger allowed error is a thousandth of `rest`, the part of the leg that is still to be followed.
             (self.length, self.refused) = (Some(1e-3 * rest), 0);
         }
         may

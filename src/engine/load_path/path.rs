@@ -25,7 +25,7 @@ use crate::search::Settings;
 /// iterator has ended, [`end`](Self::end) says how the path ended.
 ///
 /// `T` is the type of the items: events of a [`LoadPath`], or steps of a [`SteppedPath`]. A [`LoadPath`] takes acceptable time for some hundreds of
-/// contacts, a [`SteppedPath`] for 10⁵. The law is the same for both: contacts stick, slide with memory of their slip, open and close again.
+/// contacts, a [`SteppedPath`] for 10⁵. The contact law is the same for both: contacts stick, slide with memory of their slip, open and close again.
 #[derive(Debug)]
 pub struct Path<'g, const C: usize, T>(pub(super) Box<dyn AnyPath<C, T> + 'g>);
 

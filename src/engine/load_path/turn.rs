@@ -1,4 +1,5 @@
-//! A load that turns: a harmonic function of an angle.
+//! A load that turns: a harmonic function of an angle. A leg is a section of a load program; its load factor is the fraction of the leg that is done.
+//! A drive is the spring of a joint or tendon with its motor.
 
 use core::f64::consts::TAU;
 
@@ -101,8 +102,8 @@ impl<const C: usize> Turn<C> {
 }
 
 impl Turn<3> {
-    /// The load of this turn, which has been checked, in the engine's coordinates, with moments about the centroid of the contacts. The pull of
-    /// vacuums and the constant loads on bodies and joints are added to its constant term.
+    /// The load of this turn, which has been checked, in the engine's coordinates, with moments about the centroid of the contacts. The constant pull
+    /// of the suction cups' vacuums and the constant loads on bodies and joints are added to its constant term.
     pub(crate) fn inside(&self, grasp: &Engine) -> Harmonic<Vector> {
         inside(grasp, &self.load)
     }

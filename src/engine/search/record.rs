@@ -1,5 +1,6 @@
-//! A record of which method (rung) of the search ladder ends each search with an equilibrium or a proof, for the program `rungs` in
-//! `examples/reports`. In the elastic trial, which precedes the ladder, every contact sticks.
+//! The search ladder is a list of methods (rungs) that are tried in turn until one of them finds an equilibrium or proves that there is none. This
+//! file keeps a record of which method ends each search, for the program `rungs` in `examples/reports`. In the elastic trial, which precedes the
+//! ladder, every contact sticks.
 
 use crate::numerics::mapped;
 

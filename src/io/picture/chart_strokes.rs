@@ -96,7 +96,7 @@ pub(super) fn rectangle(a: PaperPoint, b: PaperPoint) -> [PaperPoint; 4] {
     [a, (b.0, a.1), b, (a.0, b.1)]
 }
 
-/// Draws a light background for a text between two opposite corners, with a line around it. The last argument has the opacities of background and
+/// Draws a light background for a text between two opposite corners, with a line around it. `ground` and `around` are the opacities of background and
 /// line.
 pub(super) fn draw_ground(paper: &mut Sheet, a: PaperPoint, b: PaperPoint, [ground, around]: [f64; 2]) {
     let corners = rectangle(a, b);
@@ -127,8 +127,8 @@ pub(super) fn draw_marks(paper: &mut Sheet, canvas: &Canvas, marks: &[(f64, Stri
     }
 }
 
-/// Writes a sentence, broken into lines, just above the lower edge of a chart, whose lower left corner is (`left`, `foot`), and returns the height of
-/// these lines.
+/// Writes a sentence, broken into lines, just above the lower edge of a chart. The lower left corner of the chart is (`left`, `foot`). Returns the
+/// height of the lines.
 pub(super) fn draw_note(paper: &mut Sheet, (left, foot): PaperPoint, words: &str) -> f64 {
     let note = lines(words, 105);
     let high = CHART.note_line * note.len() as f64;

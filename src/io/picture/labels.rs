@@ -30,7 +30,7 @@ impl Labels {
         Self { window, ink, taken: Vec::new(), left_out: 0 }
     }
 
-    /// Writes a sentence in the upper left corner, before all names.
+    /// Writes a sentence in the upper left corner. Called before any name is placed, so that names do not cover the sentence.
     pub(super) fn write_in_the_corner(&mut self, paper: &mut Sheet, words: &str, size: f64) {
         let mut below = self.window.top;
         for line in lines(words, 80) {

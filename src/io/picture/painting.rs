@@ -49,7 +49,7 @@ impl Painting {
         self.strokes.push((depth, Shape::Line { places, ink, width }));
     }
 
-    /// Paints a dashed line just behind all strokes at depth zero, so that they cover it.
+    /// Paints a dashed line just behind all strokes at depth zero, so that these strokes cover it.
     pub(super) fn dashes(&mut self, ends: [PaperPoint; 2], ink: Rgb, width: f64) {
         self.strokes.push((-IN_FRONT, Shape::Dashes { ends, ink, width }));
     }

@@ -1,5 +1,6 @@
 //! Translates the questions of a scene into calls of methods of the scene's [`Grasp`], and answers them. A setup is a grasp with its questions, in
-//! the plane or in space. A drive is the motor of a joint, or a tendon.
+//! the plane or in space. A drive is the motor of a joint, or a tendon. A command is the displacement that a finger, joint or tendon would make
+//! without the object.
 
 use super::answer::Answer;
 use super::labels::SceneNames;

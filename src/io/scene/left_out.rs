@@ -1,5 +1,6 @@
 //! Stiffnesses that a scene does not give: their defaults, and trials with other values that show whether answers depend on them. A setup is a grasp
-//! with its questions. A motion counts as small as long as it stays within the limits up to which the linear theory is trusted.
+//! with its questions. A link (a hinge, spring or cable, for example) joins two bodies, or a body and the ground. The load factor is the multiple of
+//! a question's load. A motion counts as small as long as it stays within the limits up to which the linear theory is trusted.
 
 use super::fingertip::Fingertip;
 use super::link::LinkSetup;
@@ -23,7 +24,7 @@ pub(super) const DEFAULT_STIFFNESS: f64 = 1e4;
 impl Setup<3> {
     /// Warnings about contacts and links without a stiffness, if an answer depends on this stiffness. To test this, each question is answered with
     /// several trial stiffnesses, which lie between a tenth and ten times the default and are different for each contact, link and direction. Motions
-    /// always depend on the stiffness of contacts; every `solve` is therefore listed.
+    /// always depend on the stiffness of contacts; the warning therefore lists every question `solve`.
     ///
     /// # Errors
     /// As for [`Self::answers`].
@@ -197,13 +198,13 @@ impl<const C: usize> Fingertip<C> {
     }
 }
 
-/// A copy of this grasp without limits on rotation and slip; all motions then count as small.
+/// A copy of `grasp` without limits on rotation and slip; all motions then count as small.
 fn without_limits(grasp: &Grasp<3>) -> Grasp<3> {
     grasp.with(&grasp.settings().with_small_motions(LARGEST, LARGEST))
 }
 
-/// A number in [0, 1) for each `number`; a trial stiffness follows from it. Fractional parts of multiples of the golden ratio fill this interval
-/// evenly, without repeating.
+/// Entry `number` of a sequence in [0, 1), from which trial stiffnesses follow: the fractional parts of multiples of the golden ratio. They fill this
+/// interval evenly, without repeating.
 fn part(number: usize) -> f64 {
     (0.618_033_988_749_895 * number as f64).fract()
 }

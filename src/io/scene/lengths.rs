@@ -1,6 +1,6 @@
-//! Converts lengths in the text of a scene from mm, cm or inches to m (feature `json`). The conversion works on the text, where field names
-//! distinguish lengths from other numbers. The text also has the points at which loads act, while a wrench keeps only the moment that follows from
-//! such a point.
+//! Converts lengths in the text of a scene from mm, cm or inches to m (feature `json`). A scene is a grasp with its questions. A command is the
+//! displacement that a finger, joint or tendon would make without the object. The conversion works on the text, where field names distinguish lengths
+//! from other numbers. The text also has the points at which loads act, while a wrench keeps only the moment that follows from such a point.
 
 use serde_json::{Map, Value};
 
@@ -12,7 +12,7 @@ use super::warning::Warning;
 use super::written::Scene;
 use crate::words::Unit;
 
-/// Fields that are lengths if they are numbers or lists of numbers.
+/// Names of fields whose values are lengths, provided that the value is a number or a list of numbers.
 const LENGTHS: [&str; 32] = [
     "about",
     "at",
@@ -48,7 +48,7 @@ const LENGTHS: [&str; 32] = [
     "width",
 ];
 
-/// The scene of this text, with lengths converted from `unit` to m.
+/// Reads the scene in `text`, whose lengths are in `unit`, and converts these lengths to m.
 pub(super) fn in_metres(text: &[u8], unit: Unit) -> Result<Scene, Fault> {
     let fault = |error: serde_json::Error| Fault::of_scene(in_plain_words(&message_of(&error), None));
     let mut scene: Value = serde_json::from_slice(text).map_err(fault)?;
@@ -67,7 +67,7 @@ pub(super) fn in_metres(text: &[u8], unit: Unit) -> Result<Scene, Fault> {
 
 impl Scene {
     /// A warning about a load whose point of action lies far outside of the grasp, although its line of action passes near the grasp. `text` is the
-    /// scene's text. [`Self::warnings`] reports loads with a long moment arm.
+    /// scene's text. Loads whose line of action is far from the grasp are not reported here, but by [`Self::warnings`].
     #[must_use]
     pub fn far_load_in(&self, text: &[u8]) -> Option<Warning> {
         let scene: Value = serde_json::from_slice(text).unwrap_or_default();
@@ -89,7 +89,7 @@ impl Setup<3> {
     }
 }
 
-/// Calls `look` with every list that is the value of a field `at`, anywhere within a JSON value.
+/// Calls `look` with every list that is the value of a field `at` (the point at which a load acts), anywhere within a JSON value.
 fn each_at(value: &Value, look: &mut dyn FnMut(&[Value])) {
     match value {
         Value::Array(list) => list.iter().for_each(|value| each_at(value, look)),
@@ -142,21 +142,21 @@ impl Lengths {
         }
     }
 
-    /// Converts the fields of a JSON object that are lengths to m. `of` is the name of the field that has this JSON object as its value, or "".
+    /// Converts to m those fields of a JSON object that are lengths. `of` is the name of the field that has this JSON object as its value, or "".
     fn object(&self, fields: &mut Map<String, Value>, of: &str) {
         let is_turning = of == "joints" && !fields.contains_key("prismatic");
         for (name, value) in fields {
             match (name.as_str(), value) {
-                // The command of a revolute joint is an angle.
+                // The command of a revolute joint is an angle, and is not converted.
                 ("command", _) if is_turning => {}
-                // The keys of these objects are names of bodies.
+                // The keys of these objects are names of bodies, not of fields; their values are loads, which may contain lengths.
                 ("together_with" | "body_loads_by" | "body_loads_to", Value::Object(loads)) => {
                     for load in loads.values_mut().filter_map(Value::as_object_mut) {
                         self.object(load, "");
                     }
                 }
                 ("joints_by" | "joints_to" | "joint_change", Value::Array(all)) => {
-                    // Entries after the entries of the joints belong to tendons, whose commands are lengths.
+                    // These lists have the commands of the joints first, then those of the tendons, which are lengths.
                     self.each(all, |joint| self.is_prismatic.get(joint).is_none_or(|is| *is));
                 }
                 ("arms", Value::Array(all)) => {
@@ -180,7 +180,7 @@ impl Lengths {
         }
     }
 
-    /// Converts the entries of a JSON list to m for whose index `is_length` returns true.
+    /// Converts to m those entries of a JSON list for whose index `is_length` returns true.
     fn each(&self, list: &mut [Value], is_length: impl Fn(usize) -> bool) {
         for (index, value) in list.iter_mut().enumerate() {
             if is_length(index) {

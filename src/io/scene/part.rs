@@ -1,5 +1,6 @@
 //! A part as a mesh in a file, and pads that touch it in place of contact points (feature `mesh`). A pad is the surface of a finger that touches the
-//! part, a rectangle or a disc. A setup is a grasp with its questions.
+//! part, a rectangle or a disc. A setup is a grasp with its questions. A link is a rigid part of a robot (feature `urdf`), whose collision shapes may
+//! form a pad.
 
 use std::path::Path;
 use std::sync::Arc;

@@ -1,5 +1,6 @@
 //! Suspicious numbers in a scene: friction in percent, lengths in mm, masses in g, angles in degrees, normals that point outwards, and contacts that
-//! are given twice. The base load of a question acts before its other loads. An outline is a closed line, which bounds an object in the plane.
+//! are given twice. The base load of a question acts before its other loads. An outline is a closed line, which bounds an object in the plane. A link
+//! (a hinge, spring or cable, for example) joins two bodies, or a body and the ground.
 
 use core::f64::consts::TAU;
 
@@ -25,7 +26,8 @@ impl Setup<3> {
         let name = |i: usize| entries[i].contact.label_text(i);
         let names = |contacts: &[usize]| mapped(contacts, &|i| name(*i));
         let mu = |i: usize| entries[i].contact.friction_coefficient();
-        // The coefficient of soft rubber on dry concrete is about 1.2, the coefficient of tyres of racing cars is less than 2.
+        // The coefficient of soft rubber on dry concrete is about 1.2, the coefficient of tyres of racing cars is less than 2. A coefficient above 2
+        // is therefore suspicious.
         let much = |i: &usize| mu(*i) > 2.0 && mu(*i).is_finite();
         let contacts: Vec<_> = chosen(entries.len(), &much);
         if let Some(first) = contacts.first() {
@@ -84,8 +86,8 @@ impl Setup<3> {
             let points: Vec<_> = mapped(&grasp.contacts()[contact.range.clone()], &|c| c.point);
             let wide = spread(&points);
             // A patch is the area over which the points of a soft fingertip or pad are spread. It may be wider than the distance of the contacts, as
-            // on stacked pallets or sheets. A patch is suspicious if it is wider than 2 m and wider than ten times that distance, such as a pad of a
-            // few mm whose width was read in m. A patch that is the only contact is hardly wider than ten metres.
+            // on stacked pallets or sheets. A patch is suspicious if it is wider than 2 m and wider than ten times the distance of the contacts, such
+            // as a pad of a few mm whose width was read in m. A patch that is the only contact is hardly wider than ten metres.
             let most = if size > 0.0 { f64::max(2.0, 10.0 * size) } else { 10.0 };
             if wide > most && !is_wide {
                 is_wide = true;
@@ -143,7 +145,7 @@ impl Setup<3> {
             warnings.push(Warning::HeavyLoad { force: heaviest, pressed });
         }
         let angle = largest(&self.questions, &turned);
-        // A load that turns comes back to its beginning after one turn. More than two turns are therefore probably an angle in degrees.
+        // A load that turns comes back to its beginning after one turn. An angle of more than two turns was therefore probably given in degrees.
         if angle > 2.0 * TAU {
             warnings.push(Warning::ManyTurns { angle });
         }

@@ -1,5 +1,7 @@
 //! Warnings about probable mistakes in a scene. The scene can be answered nevertheless. At rest means without load, or under the constant base load
-//! of a question.
+//! of a question. A command is the displacement that a finger would make without the object. A clearance is the gap before the command; contacts with
+//! a negative clearance overlap and press. A drive is the motor of a joint, or a tendon. A link (a hinge, spring or cable, for example) joins two
+//! bodies, or a body and the ground.
 
 use serde::Serialize;
 
@@ -29,8 +31,8 @@ pub enum Warning {
     NothingPresses,
     /// Bodies have masses, but the scene has no gravity, and nothing else presses a contact against the object.
     NoGravity,
-    /// The grasp buckles at rest: as the forces turn with the parts they act on, they take more than the springs resist. Answers for small motions do
-    /// not apply. `hold`, `need` and `follow` say so in their first line.
+    /// The grasp buckles at rest: as parts turn, the forces that act on them drive them on more strongly than the springs resist. Answers for small
+    /// motions do not apply. `hold`, `need` and `follow` say so in their first line.
     BucklesAtRest,
     /// Without load a contact presses with another force than its `pressed_with`. That field only sets the stretch of the contact's springs before
     /// the object moves.

@@ -1,4 +1,4 @@
-//! The sentences of [`Warning`]s about probable mistakes in a scene.
+//! The sentences of [`Warning`]s about probable mistakes in a scene. At rest means without load, or under the constant base load of a question.
 
 use std::fmt;
 

@@ -1,7 +1,8 @@
 //! Coulomb's cone `|F_t| <= μ F_n` of one contact. All other code of the contact law uses friction coefficients through this type.
 //!
-//! A facet of a polygonal cone is `h·F_t <= μ F_n` with an outward normal h. At a given tangential force the round cone is replaced by its tangent
-//! facet, whose unit normal points along that force.
+//! A facet of a polygonal cone is `h·F_t <= μ F_n` with an outward normal h. A margin is what is left of a friction limit, such as `μ F_n - |F_t|`.
+//! The apex of a cone is zero force. At a given tangential force the round cone is replaced by its tangent facet, whose unit normal points along that
+//! force.
 
 use nalgebra::SVector;
 
@@ -35,7 +36,7 @@ impl Coulomb {
         self.mu > 0.0 && self.mu.is_finite()
     }
 
-    /// This cone. For infinite friction, which has no facets, a cone with a very large finite coefficient instead.
+    /// Returns this cone or, for infinite friction, which has no facets, a cone with a very large finite coefficient.
     pub(crate) fn with_edges(self, springs: &Compliance) -> Self {
         if self.mu.is_finite() {
             return self;

@@ -1,5 +1,5 @@
-//! The edges of a contact's friction cone as linear conditions `a·F >= 0` on its force F while it sticks. Functions select the conditions that a set
-//! of forces violates most.
+//! The edges of a contact's friction cone as linear conditions `a·F >= 0` on its force F while it sticks. Functions of this file also select, for a
+//! set of possible forces, the conditions that these forces violate most.
 //!
 //! The round cone has a facet `a(φ) = (μ, -cos φ, -sin φ)` at every angle φ. At a given force F the margin `a·F` is therefore a trigonometric
 //! function of φ.
@@ -88,7 +88,7 @@ impl Edges {
 
     /// The conditions that some contact force `F + A x` with `|x| = size` may violate, as their coefficients a. F is `force`, and A is `influence`.
     /// The least value of a condition over all these x is `a·F - size |Aᵀa|`. For a round cone, one facet at which this value has a negative local
-    /// minimum is returned, or none. Otherwise all conditions are returned.
+    /// minimum is returned, or none. For [`Self::Rows`] all conditions are returned.
     pub(crate) fn on_a_sphere(
         &self,
         force: &SVector<f64, 3>,
@@ -101,8 +101,9 @@ impl Edges {
         })
     }
 
-    /// For each condition that the contact force violates while the load turns, an angle of the load at which the violation has a local maximum.
-    /// Angles are from 0 to `most`, rad, and `force` is the contact force as a function of the angle.
+    /// The load keeps its size and turns, so that the contact force is a harmonic function of the load's angle. For each condition that this force
+    /// violates, returns an angle at which the violation has a local maximum. Angles are from 0 to `most`, rad, and `force` is the contact force as a
+    /// function of the angle.
     pub(crate) fn on_a_turn(&self, force: &Harmonic<SVector<f64, 3>>, most: f64) -> Vec<f64> {
         let nothing = Harmonic::new([SVector::zeros(); 3]);
         let margins = match self {

@@ -1,8 +1,8 @@
 //! Soft fingertips: contacts that extend over a patch.
 //!
-//! A point contact carries no moment, so an object between two of them turns freely about the line through them. A fingertip touches over a
-//! patch and resists moments. The patch is a set of point contacts in the tangent plane that share the springs of the contact that they replace.
-//! All questions about contacts therefore apply to fingertips.
+//! A point contact carries no moment, so an object between two of them turns freely about the line through them. A fingertip touches over a patch and
+//! resists moments. The patch is a set of point contacts in the tangent plane that share the springs of the contact that they replace. All questions
+//! about contacts therefore apply to fingertips. The engine of the crate computes with vectors of three components, also in the plane.
 
 use core::f64::consts::TAU;
 

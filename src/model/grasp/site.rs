@@ -1,5 +1,6 @@
 //! One site: a contact, or a drive of a hand, i.e. the spring of a joint or tendon with its motor. The engine treats both as points with springs and
-//! a contact law. In the engine's coordinates moments and rotations refer to the centroid of the contacts.
+//! a contact law. In the engine's coordinates moments and rotations refer to the centroid of the contacts. A bonded contact neither opens nor slips.
+//! The offset of a contact is its command (a prescribed displacement of the finger) minus its clearance; the twist is the motion of all coordinates.
 
 use crate::numerics::{DoubleDouble, Map, Size, Space, Vector, WHOLE};
 use alloc::sync::Arc;
@@ -180,7 +181,7 @@ impl Site {
         self.span_moved(offset, twist.norm())
     }
 
-    /// Like [`Self::span`], the upper bound of the terms of the stretch, but computed from the norm of the motion alone.
+    /// Like [`Self::span`], an upper bound of the terms of the stretch, but computed from the offset and the norm `twist` of the motion alone.
     #[inline(always)]
     pub(crate) fn span_moved(&self, offset: &SVector<f64, 3>, twist: f64) -> f64 {
         offset.norm() + self.size * twist

@@ -1,13 +1,14 @@
 //! Contacts from surfaces: pads that close on a part (feature `mesh`).
 //!
 //! A [`Part`] is a triangle mesh, from STL, OBJ or arrays, in m. A [`Touch`] is a [`Pad`] with a position and a closing direction. [`Touch::on`]
-//! computes where it touches a part: the points of one contact, each with its own normal, springs and clearance.
+//! computes where this pad touches a part, as the points of one contact, each with its own normal, springs and clearance.
 //!
 //! # The model
 //!
 //! A pad is an elastic foundation: a layer of modulus E (Pa) and thickness t (m) has the stiffness `K = E/t` per unit area, N/m³. Every point of the
-//! pad travels along the closing direction c until it meets the part, at the depth d_i. The point with the least depth touches first, and the pad
-//! then advances further by s. With the angle θ_i between c and the inward normal of the part, and the area A_i of the pad at point i
+//! pad travels along the closing direction c until it meets the part, at the depth d_i. The point with the least depth d_min touches first, and the
+//! pad then advances further by s. Let θ_i be the angle between c and the inward normal of the part at point i, and A_i the pad's area at this point.
+//! Its clearance, its normal stiffness k_i and its normal force F_i are
 //!
 //! ```text
 //! clearance_i = (d_i - d_min) cos θ_i        k_i = K A_i        F_i = k_i (s - d_i + d_min) cos θ_i >= 0

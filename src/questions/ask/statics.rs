@@ -1,4 +1,6 @@
-//! Static questions: which loads some contact forces could balance. The base load is constant and acts before the loads of a question.
+//! Static questions: which loads some contact forces could balance. The base load is constant and acts before the loads of a question. A budget is an
+//! upper limit of the normal force of each contact, or of the sum of all normal forces. A command is a prescribed displacement of a finger; the
+//! squeeze is all that presses without a load. A bonded contact neither opens nor slips.
 
 use super::grasp::Grasp;
 use crate::equilibrium::{Decomposition, Equilibrium};
@@ -7,7 +9,8 @@ use crate::grasp::{Wrench, all_inside, inside, outside};
 use crate::shake::Shakedown;
 use crate::statics::{Budget, Closure, LoadLimit, WrenchBall, WrenchScale};
 
-/// Static questions about a grasp, made by [`Grasp::statics`]: all but [`shakedown`](Self::shakedown) are independent of springs and commands.
+/// Static questions about a grasp, made by [`Grasp::statics`]: all answers but that of [`shakedown`](Self::shakedown) are independent of springs and
+/// commands.
 #[derive(Debug, Clone, Copy)]
 pub struct Statics<'g, const C: usize>(pub(super) &'g Grasp<C>);
 
@@ -143,7 +146,7 @@ impl<const C: usize> Statics<'_, C> {
 
     /// The multiple of `budget` that a load needs, as a lower and an upper bound. With `Budget::Each(1.0)` it is the normal force, N, that no contact
     /// must exceed in the best balance; with `Budget::Total(1.0)` the least sum of normal forces, N. Both bounds are infinite if no contact forces
-    /// balance the load. They are 0 and infinity if it is not known whether some do.
+    /// balance the load. The bounds are 0 and infinity if it is not known whether any contact forces balance the load.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};

@@ -5,7 +5,7 @@
 //! second derivative is the geometric stiffness K_g, which arises because the lever arms of forces turn with the object (see `equilibrium/left_out`).
 //! If K_g is positive, a load W moves the object by q until it hangs, with `K_g q = W` along the free motions. Example: a weight G hangs at the
 //! distance l below a hinge, and a force F pulls it to the side. The weight then hangs at the angle `F l / (G l)` to the vertical. Motions are small
-//! within the limits of rotation, slip and opening up to which the linear theory is trusted.
+//! within the limits of rotation, slip and opening up to which the linear theory is trusted. A command is a prescribed displacement of a finger.
 
 use nalgebra::{DMatrix, SVector};
 
@@ -31,8 +31,9 @@ impl Engine {
         (least < 0.0).then(|| self.motion_outside(&motion))
     }
 
-    /// Sets [`Verdict::swing`] for an object that is lost as soon as the load begins to act, unless commands change with the load. If it swings, the
-    /// proof `nothing_near` of the loss is removed. The proof takes the lever arms of the load as constant, but they change as the object swings.
+    /// Sets [`Verdict::swing`] for an object that is lost as soon as the load begins to act, unless commands change with the load. If the object
+    /// swings to a new position, the proof `nothing_near` of the loss is removed. The proof takes the lever arms of the load as constant, but they
+    /// change as the object swings.
     pub(super) fn let_swing(&self, verdict: &mut Verdict<3>, ramp: &Ramp<3>, settings: &Settings) {
         let is_load_alone = ramp.command_change.is_none() && ramp.joint_change.is_none();
         if verdict.held_to <= NEGLIGIBLE && verdict.holds() == Some(false) && is_load_alone {
@@ -45,8 +46,8 @@ impl Engine {
 
     /// The small motion from rest to the position in which the object hangs under the whole `load`, along motions that nothing resists.
     ///
-    /// `None` if the load does no work along such motions, or the object would hang only beyond small motions. The other part of the load, which does
-    /// no work along them, is carried by contacts. `None` also if a contact slides or opens under this part.
+    /// `None` if the load does no work along such motions, or the object would hang only beyond small motions. Contacts carry the part of the load
+    /// that does no work along these motions; `None` also if a contact slides or opens under this part.
     fn swing(&self, load: &Wrench<3>, settings: &Settings) -> Option<Motion<3>> {
         let sticking = StickingResponse::new(self, settings);
         let (free, whole) = (sticking.linear_problem.free_motions(), self.load_alone(load, "load").ok()?);
@@ -103,8 +104,7 @@ impl Engine {
         Some(numbered(count, &of))
     }
 
-    /// Whether a unit motion leaves every joint in place, and every contact that carries a force at rest relative to its finger. Ropes and springs
-    /// may swing.
+    /// Whether a unit motion moves no joint, and moves no contact that carries a force relative to its finger. Ropes and springs may swing.
     fn turns_in_place(&self, forces: &[SVector<f64, 3>], motion: &Vector) -> bool {
         // A displacement of the contact within rounding of the displacements that a unit motion causes counts as none.
         let is_still = |i: usize| {

@@ -1,5 +1,6 @@
 //! Predicts first slip, the load at which the first contact stops sticking, with a model of the grasp. Its exact derivatives with respect to the
-//! unknowns, such as coefficients of friction, are computed, too.
+//! unknowns, such as coefficients of friction, are computed, too. An observation is a load, or the angle of a turning load, at which slip was seen.
+//! The load factor is the multiple of the observed load.
 
 use crate::numerics::{IntoList, numbered};
 use core::f64::consts::TAU;

@@ -1,8 +1,9 @@
-//! Predicts gross slip, the load at which the object is lost: it slides at all contacts, tips over or leaves otherwise. The derivatives of this load
-//! with respect to the unknowns, such as coefficients of friction, are computed, too.
+//! Predicts gross slip, the load at which the object is lost: it slides at all contacts, tips over or leaves in another way. The derivatives of this
+//! load with respect to the unknowns, such as coefficients of friction, are computed, too. An observation is a load, or the angle of a turning load,
+//! at which slip was seen. The load factor is the multiple of the observed load.
 //!
-//! The observer sees an object slip as soon as it leaves, even if a gap closes afterwards and the load path continues. The gross slip that the model
-//! predicts is therefore the first event at which the object leaves.
+//! In an experiment an object is seen to slip as soon as it leaves, even if a gap closes afterwards and the load path continues. The gross slip that
+//! the model predicts is therefore the first event at which the object leaves.
 
 use core::f64::consts::TAU;
 

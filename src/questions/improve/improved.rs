@@ -1,6 +1,6 @@
-//! The search for better finger places: ascents from the given grasp and from the best of many random ones, and the answer with the best grasp found.
-//! A place is the position of a contact on its curve or surface, a squeeze the normal force of its command. A design point is one choice of all
-//! places and squeezes.
+//! The search for better finger places: ascents from the given grasp and from the best of many random choices of places and squeezes, and the answer
+//! with the best grasp found. A place is the position of a contact on its curve or surface, a squeeze the normal force of its command. A design point
+//! is one choice of all places and squeezes. The engine of the crate computes with vectors of three components, also in the plane.
 
 use super::answer::{ActiveConstraint, ActiveConstraintKind, Improved, Placed, SearchEnd};
 use super::ascent::{Ascent, AscentProblem, EvaluatedDesign, LastStep};

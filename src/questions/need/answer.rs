@@ -2,7 +2,9 @@
 //!
 //! An amount (of squeeze, friction, load, arm, angle or force) is sufficient if the grasp meets the demand with it. A safe amount is sufficient also
 //! with less friction and squeeze (the field `lower`), or with larger loads (the field `safety`). The squeeze is all that presses without a load,
-//! such as commands (prescribed displacements of fingers) and constant forces.
+//! such as commands (prescribed displacements of fingers) and constant forces. The verdict on an amount says whether the grasp meets the demand with
+//! it, or is undecided. At rest means before the loads of the question act. A drive is the motor of a joint, or a tendon. A jump is a sudden motion
+//! of the object under constant load.
 
 use core::fmt;
 
@@ -241,8 +243,11 @@ impl Amount {
 }
 
 impl Amount {
-    /// Moves the far end of these safe amounts, so that amounts before it suffice also without deviations, as the amounts `given`, and without the
-    /// relative `reduction` of the sought quantity itself. Example: with 5 % less squeeze than set, larger squeezes suffice than without.
+    /// Moves the far end of these safe amounts, so that every amount before it suffices with and without the deviations. Deviations are lower
+    /// friction and squeeze, or larger loads. `given` is the answer without deviations; its far end replaces a farther one.
+    ///
+    /// The deviations may include that the sought quantity itself is lower by the fraction `reduction`: with 5 % less squeeze than set, larger set
+    /// squeezes suffice. The far end of a least amount is therefore first multiplied by 1 - `reduction`.
     pub(super) fn end_before(&mut self, given: &Self, is_least: bool, reduction: f64) {
         let (Self::Bound { until: given, .. } | Self::Any { until: given, .. }) = given else { return };
         let (safe, until) = match self {
@@ -259,7 +264,8 @@ impl Amount {
         {
             *until = Some(given.clone());
         }
-        // Without any amount that suffices in all cases, the text beside the least or greatest safe amount says that it does not do as given.
+        // If no amount suffices both with and without the deviations, the far end is left out. The text about the safe amount then says that this
+        // amount does not suffice with friction, squeeze and loads as given.
         if until.as_ref().is_some_and(|end| is_before(end.sufficient, safe)) {
             *until = None;
         }

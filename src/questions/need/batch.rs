@@ -4,7 +4,8 @@
 //! If everything must stick, [`screening`](crate::screening) computes the load factor of first slip, the greatest multiple of the load. If only
 //! squeeze and load act, the inverse of this factor is the least multiple of the squeeze. If the object must be held, the load factor at which
 //! equilibrium is lost is used instead; one load path finds it. For all other grasps the amount is searched for as in [`Grasp::need`]. At rest means
-//! before the load acts. Motions are small within the limits of rotation, slip and opening up to which the linear theory is trusted.
+//! before the load acts. The squeeze is what presses at rest: the commands of fingers, i.e. their displacements without the object. Motions are small
+//! within the limits of rotation, slip and opening up to which the linear theory is trusted.
 
 use core::ops::Range;
 

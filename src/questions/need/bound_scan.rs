@@ -4,7 +4,8 @@
 //!
 //! Easier amounts are larger if the least amount is sought, smaller if the greatest is sought; harder amounts are the opposite. The scan finds the
 //! far end, which is the last sufficient amount on the easier side of the bound, and further intervals of sufficient amounts. The carried part of the
-//! load is the load factor up to which the demand is met. A bracket consists of a sufficient amount and its insufficient neighbour.
+//! load is the load factor up to which the demand is met. A bracket consists of a sufficient amount and its insufficient neighbour. A proof that
+//! contact forces cannot balance the loads may exclude all amounts outside a range.
 
 use super::answer::AmountWindow;
 use super::search::{SearchPlan, TrialFunctions};
@@ -41,7 +42,7 @@ impl SearchPlan {
         // The k-th of n amounts has the ratio r^((k/n)³) to `from`, with r = `most`, so that amounts lie close together near the bound of the
         // sufficient amounts. With r above 4 they would be so far apart that intervals of insufficient amounts near the bound could be missed.
         let mut parts = numbered(count, &|k| most.powf(((k + 1) as f64 / count as f64).powi(3)));
-        // A drive may reach its limit only at a far larger squeeze or force, which a ratio of 4 would miss.
+        // A drive (the motor of a joint, or a tendon) may reach its force limit only at a far larger squeeze or force, which a ratio of 4 would miss.
         parts.extend((coarse && count > 0).then_some(16.0));
         let amount = |part: &f64| if up { from * part } else { from / part };
         picked(&parts, &|part| Some(amount(part)).filter(|amount| self.contains(*amount)))

@@ -1,6 +1,7 @@
 //! The normal forces with which contacts press under a squeeze, and sentences about these forces. At rest means under the loads that act before the
 //! loads of the question. The squeeze is all that presses without a load: commands (displacements that fingers would make without an object),
-//! constant forces, vacuums and torques of joints.
+//! constant forces, vacuums and torques of joints. If nothing else presses, it consists of overlaps, i.e. of negative clearances between fingers and
+//! object. A link (a hinge, spring or cable, for example) joins two bodies, or a body and the ground.
 
 use nalgebra::SVector;
 
@@ -26,8 +27,8 @@ pub struct ContactPress {
     /// For a suction cup: how far the pressure in the cup is below the pressure of the surrounding air, Pa. `None` for other contacts.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub pressure: Option<f64>,
-    /// The force to set for this squeeze, N: `pressed_with`, or `force`, of the contact. The `force` at rest differs from it if the object gives way.
-    /// `None` for suction cups, links, and contacts with a command across their normal.
+    /// The force that the user sets at the contact for this squeeze, N: the contact's field `pressed_with` or `force`. The normal force at rest
+    /// differs from it if the object gives way. `None` for suction cups, links, and contacts with a command across their normal.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub pressed_with: Option<f64>,
     /// For a contact that presses because it overlaps: the overlap, m, i.e. its negative clearance without the sign. `None` unless overlaps are the
@@ -86,8 +87,8 @@ impl ContactPress {
     }
 }
 
-/// The contacts and cables that have commands of their own and press at rest. If there are none because joints or tendons press, all contacts that
-/// press are returned.
+/// The contacts and cables that press at rest by a command, force or vacuum of their own ([`ContactPress::is_set`]). If there are none, because
+/// joints or tendons press, all contacts that press at rest are returned.
 fn pressing(presses: &[ContactPress]) -> Vec<&ContactPress> {
     let is_one_set = presses.iter().any(|press| press.is_set);
     let most = largest(presses, &|press| press.force);
@@ -97,7 +98,8 @@ fn pressing(presses: &[ContactPress]) -> Vec<&ContactPress> {
     presses.iter().filter(is_meant).list()
 }
 
-/// Whether a number is the same at all these contacts, to within the relative difference [`ALIKE_IN_WORDS`] (1e-6), which six digits do not show.
+/// Whether `number` returns the same value for all these contacts, to within the relative difference [`ALIKE_IN_WORDS`] (1e-6), which six digits do
+/// not show.
 fn is_alike(presses: &[&ContactPress], number: &dyn Fn(&ContactPress) -> Option<f64>) -> bool {
     let number = |press: &ContactPress| number(press).unwrap_or(0.0);
     let is_same =

@@ -1,6 +1,7 @@
 //! Directions of a force that are tried one by one: a set of evenly spread directions, the part of this set that is tried first, and the neighbours
-//! of each direction. The carried part of the load is the load factor up to which the object is held; in a weaker direction it is smaller. In a jump
-//! the object moves suddenly under constant load, until contacts catch it.
+//! of each direction. The carried part of the load is the load factor up to which the object is held; in a weaker direction it is smaller. The
+//! verdict says whether the object is held under the full load, or is undecided. In a jump the object moves suddenly under constant load, until
+//! contacts catch it.
 
 use core::f64::consts::{PI, TAU};
 
@@ -62,7 +63,7 @@ pub(super) fn in_between(all: &[[f64; 3]], found: &[Option<DirectionTrial>]) -> 
     chosen(all.len(), &|k| found[*k].is_none() && (jumps || is_near(*k)))
 }
 
-/// The results of all directions. A direction that was not tried has the result of the nearest one that was.
+/// The results of all directions. A direction that was not tried has the result of the nearest tried direction.
 pub(super) fn everywhere(all: &[[f64; 3]], found: &[Option<DirectionTrial>]) -> Vec<DirectionTrial> {
     let tried = || found.iter().enumerate().filter_map(|(k, trial)| Some((&all[k], (*trial)?)));
     let near = |k: usize| tried().max_by(|(a, _), (b, _)| dot(*a, &all[k]).total_cmp(&dot(*b, &all[k])));

@@ -1,6 +1,7 @@
 //! The trial of one amount (of squeeze, friction, load, arm or angle): whether the grasp meets the demand with it, and the distance to the bound, the
 //! least or greatest sufficient amount. At rest means under the loads that act before the loads of the question. The carried part of the load is the
-//! load factor up to which the demand is met with an amount. Motions are small within the limits up to which the linear theory is trusted.
+//! load factor up to which the demand is met with an amount. The verdict is sufficient, insufficient or undecided. In a jump the object moves
+//! suddenly under constant load. Motions are small within the limits up to which the linear theory is trusted.
 
 use core::cell::{Cell, RefCell};
 
@@ -23,9 +24,10 @@ pub(super) enum Trial {
     Sufficient {
         /// The multiple of the load that is carried with the amount, at least 1; infinite if no loss was found.
         carried: f64,
-        /// A second margin. If the loads need only be held ([`Demand::Held`]), it is 1 less the largest ratio of a motion to its limit of small
-        /// motions. If nothing may slide ([`Demand::Sticks`]), it is the least distance at rest of a contact force from its friction cone or from
-        /// opening, divided by the largest contact force. Infinite if it is not known.
+        /// A second margin, in addition to the first margin, `carried` less 1. If the loads need only be held ([`Demand::Held`]), it is 1 less the
+        /// largest ratio of a motion to its limit of small motions. If nothing may slide ([`Demand::Sticks`]), it is the least distance, at rest, of
+        /// a contact force from the edge of its friction cone or from zero normal force, divided by the largest contact force. Infinite if it is not
+        /// known.
         other: f64,
     },
     Insufficient {

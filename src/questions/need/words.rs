@@ -2,7 +2,8 @@
 //! about other amounts. An amount (of squeeze, friction, load, arm or angle) is sufficient if the grasp meets the demand with it, e.g. holds the
 //! object; the bound is the least or greatest sufficient amount. Easier amounts are larger if the least amount is sought, smaller if the greatest is
 //! sought. The far end is the last sufficient amount on the easier side of the bound. A safe amount is sufficient also with less friction and
-//! squeeze, or with larger loads.
+//! squeeze, or with larger loads. The verdict on an amount says in words whether the object is held and whether contacts slide. A command is a
+//! prescribed displacement of a finger or joint. A drive, the motor of a joint or a tendon, may have a force limit.
 
 use core::fmt;
 
@@ -154,7 +155,7 @@ impl Needed {
     }
 
     /// Writes that all amounts tried on the harder side (less squeeze, more load) are sufficient, `to` being the last. `until` is the far end, the
-    /// last sufficient amount on the easier side. `None` if all amounts tried on that side are sufficient.
+    /// last sufficient amount on the easier side; it is `None` if all amounts tried on that side are sufficient.
     fn any(
         &self,
         f: &mut fmt::Formatter<'_>,
@@ -329,7 +330,7 @@ impl Needed {
         let is_least = self.quantity.is_least();
         let is_beyond = |end: &&FarEnd| {
             let held = held_until.map_or(f64::NAN, |held| held.sufficient);
-            // The bracket of a far end may be as wide as this fraction of the amount.
+            // A far end is known only up to a bracket, whose width may be this fraction of the amount.
             let width = 1e-4 * held.abs();
             if is_least { end.sufficient >= held - width } else { end.sufficient <= held + width }
         };

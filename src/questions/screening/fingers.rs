@@ -1,6 +1,7 @@
 //! One grasp, checked and prepared for screening: all that does not depend on the load is computed once. Screening computes the load factor at first
 //! slip, at which the first contact stops sticking. A command is the displacement that a finger would make without the object. A clearance is the gap
-//! between finger and object before the command; it is negative if they overlap.
+//! between finger and object before the command; it is negative if they overlap. The verdict says why there is no load factor, for example because a
+//! contact does not stick before the load grows.
 
 use super::block::MOST_SCREENED;
 use super::gradient::GradientOf;
@@ -43,8 +44,9 @@ pub struct Fingers<const C: usize, const N: usize> {
 impl<const C: usize, const N: usize> Fingers<C, N> {
     /// The grasp with these contacts, checked and prepared for screening. With fewer than two or more than five contacts, the call does not compile.
     ///
-    /// # Errors [`Error::Contact`] naming the first contact, field and value that is out of range. In space the stiffness of a contact must be equal
-    /// along both tangents. A contact must not have a given constant force or suction.
+    /// # Errors
+    /// [`Error::Contact`] naming the first contact, field and value that is out of range. In space the stiffness of a contact must be equal along
+    /// both tangents. A contact must not have a given constant force or suction.
     pub fn new(contacts: &[Contact<C>; N]) -> Result<Self, Error> {
         const { assert!(2 <= N && N <= MOST_SCREENED, "screening is for two to five contacts") };
         (Kernels::get().prepare)(contacts).map(|grasp| Self { grasp })
@@ -98,7 +100,7 @@ impl<const C: usize, const N: usize> Fingers<C, N> {
         (Kernels::get().gradient.one)(&self.grasp, &question, &mut gradients.numbers);
     }
 
-    /// The least factor on the commands, the same for all, with which every contact touches and sticks under each of the loads. Clearances are not
+    /// The least factor s for which, with all commands multiplied by s, every contact touches and sticks under each of the loads. Clearances are not
     /// scaled. If screening has no factor, the verdict says why.
     ///
     /// ```

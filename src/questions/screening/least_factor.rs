@@ -4,9 +4,10 @@
 //! Under a load and with the commands multiplied by s the force of a contact is `F + s F'`. Here F is due to the load and the clearances, F' to the
 //! commands. As s grows, this force moves along a straight line, the line of forces. A contact sticks while its margin `n - |t|` is not negative,
 //! with `n = α F_n` and `t = β F_t`. For a contact with friction α is the coefficient of friction and β is 1 (other contacts: see [`StickingCone`]).
-//! The margin is concave in s. Therefore it is not negative in an interval of factors s, which may be empty. The force enters the cone at the lower
-//! end and leaves it at the upper end. The answer is the least s >= 0 that lies in the intervals of all contacts and loads. In the plane a margin is
-//! the smaller of two linear functions of s; in space both ends are roots of one quadratic equation, see [`Crossing`].
+//! The margin is concave in s. Therefore it is not negative in an interval of factors s, which may be empty. At the lower end of the interval the
+//! force enters the friction cone, at the upper end it leaves the cone. The answer is the least s >= 0 that lies in the intervals of all contacts and
+//! loads. In the plane a margin is the smaller of two linear functions of s; in space both ends are roots of one quadratic equation, see
+//! [`Crossing`].
 
 use super::block::count;
 use super::cone::{Crossing, StickingCone};
@@ -29,8 +30,9 @@ struct Interval<X: Packed> {
     last_off: X,
 }
 
-/// A margin of sticking (from a contact force to its friction cone) as a function of the factor on the commands. `value` is the margin at factor
-/// zero, and `gain` its increase per unit of the factor. `noise` is a bound of the rounding of `value`, `gain_noise` of the rounding of `gain`.
+/// The margin of sticking of one contact, `α F_n - |β F_t|`, as a function of the factor on the commands; in the plane, one of its two linear
+/// functions. `value` is the margin at factor zero, and `gain` its increase per unit of the factor. `noise` is a bound of the rounding of `value`,
+/// `gain_noise` of the rounding of `gain`.
 struct Margin<X: Packed> {
     value: X,
     gain: X,
@@ -39,8 +41,8 @@ struct Margin<X: Packed> {
 }
 
 impl<X: Packed> Margin<X> {
-    /// The interval of factors >= 0 in which this margin, as a linear function of the factor, is not negative, with error bounds. An empty interval
-    /// runs from infinity to minus infinity.
+    /// The interval of factors >= 0 in which this margin, as a linear function of the factor, is not negative, with error bounds of its ends. An
+    /// empty interval runs from infinity to minus infinity.
     #[inline(always)]
     fn straight(&self) -> Interval<X> {
         let (zero, infinite) = (X::all(0.0), X::all(f64::INFINITY));
@@ -64,7 +66,7 @@ impl<X: Packed> Margin<X> {
         (-self.noise).above(self.value, yes, no)
     }
 
-    /// The interval of factors in which this margin of a round friction cone is not negative; NaN if the interval depends on rounding.
+    /// The interval of factors in which this margin of a round friction cone is not negative. Its ends are NaN if rounding determines them.
     #[inline(always)]
     fn round<const C: usize>(
         &self,
@@ -86,8 +88,9 @@ impl<X: Packed> Margin<X> {
         let crossing = line.closing.above(gain_noise, X::all(1.0), zero);
         let unknown = X::all(f64::NAN);
         let through = |yes, no| depth.above(needed, yes, (-depth).above(needed, no, unknown));
-        // If the margin decreases for large factors, it is positive on a bounded interval or nowhere. Else, once positive, it stays positive. If
-        // rounding determines which case applies, the interval is known only if the commands cause no force.
+        // If the margin decreases for large factors, it is positive on a bounded interval or nowhere. If the margin does not decrease for large
+        // factors, it stays positive once it is positive. If rounding determines which of the two applies, the interval is known only if the commands
+        // cause no force.
         let rate = dn.abs().max(line.friction_rate);
         let idle = rate.above(gain_noise, unknown, infinite);
         let (first, last) = (line.first(), line.last());
@@ -97,8 +100,8 @@ impl<X: Packed> Margin<X> {
         let first_off = (noise + first * gain_noise) / slope;
         let is_entered = X::all(f64::MAX);
         let first_off = entered.above(is_entered, zero, first_off);
-        // If the line of forces begins at the apex of the cone, up to rounding, and leads out of the cone, the force leaves the cone at factor zero,
-        // whatever rounding makes of the roots.
+        // If the line of forces begins at the apex of the cone (zero force), up to rounding, and leads out of the cone, the force leaves the cone at
+        // factor zero. This holds even if rounding gives the quadratic equation other roots.
         let weight = n.abs() + line.friction;
         let left = weight.above(noise, last.max(zero), zero);
         let chord = self.broken(depth / (last - deepest), self.value / last);
@@ -116,8 +119,8 @@ impl<X: Packed> Margin<X> {
     }
 }
 
-/// The intersection of the intervals in which the margins added so far are not negative, as functions of the factor on the commands. Two further
-/// numbers tell whether rounding or a motion without resistance makes the answer invalid.
+/// The intersection of the intervals in which the margins added so far are not negative, as functions of the factor on the commands. The fields
+/// `doubt` and `free` tell whether rounding or a motion without resistance makes the answer invalid.
 pub(super) struct LeastFactor<X: Packed> {
     /// The largest lower end of the intervals of factors of all contacts and loads, as computed.
     first: X,
@@ -208,7 +211,7 @@ impl<X: Packed> LeastFactor<X> {
         self.doubt += balanced(commands.unbalanced + others.unbalanced, zero, one);
     }
 
-    /// Intersects the interval so far with the interval of one more margin; `binding` is the code of its contact and load.
+    /// Intersects the interval of factors with the interval of one more margin; `binding` is the code of its contact and load.
     #[inline(always)]
     fn narrow(&mut self, margin: &Margin<X>, interval: &Interval<X>, binding: X) {
         // `noise` bounds the rounding of a margin at factor zero. If a margin is negative by between a quarter of this bound and four times the
@@ -226,7 +229,8 @@ impl<X: Packed> LeastFactor<X> {
         self.require_valid([first, first_off, last.abs(), last_off]);
     }
 
-    /// Makes the answer unclear if one of the numbers `sizes` is negative or NaN. Comparisons elsewhere would ignore NaN.
+    /// Makes the answer unclear if one of the numbers `sizes`, such as the ends of an interval, is negative or NaN. The other comparisons in this
+    /// file would ignore NaN.
     #[inline(always)]
     fn require_valid<const K: usize>(&mut self, sizes: [X; K]) {
         for size in sizes {

@@ -9,8 +9,9 @@
 //! ```
 //!
 //! The lengths of the edges on the object stay constant, which fixes λ for the commands a (displacements that the fingers would make without the
-//! object). A contact with unit normal n, normal compliance c_n and tangential compliance c_t has the compliance `C_i = c_t I + (c_n - c_t) n nᵀ`.
-//! For each edge, from its tail to its head:
+//! object). A clearance is the gap between finger and object before the command; the clearances of a grasp are subtracted from its commands. A
+//! contact with unit normal n, normal compliance c_n and tangential compliance c_t has the compliance `C_i = c_t I + (c_n - c_t) n nᵀ`. For each
+//! edge, from its tail to its head:
 //!
 //! ```text
 //! e·[(a - C F)_head - (a - C F)_tail] = 0,   A λ = Nᵀ (a - C P),   A = Nᵀ C N,   (N λ)_i = λ_j e_j - λ_k e_k

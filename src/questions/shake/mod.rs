@@ -15,8 +15,8 @@
 //!
 //! If e converges, a cycle that begins at its limit gives the verdict. In the plane, and on a polygonal cone, e changes from cycle to cycle by an
 //! affine map. This holds as long as the events (slipping, sticking, opening, closing) stay the same. The states of a few cycles determine the fixed
-//! point of this map (minimal polynomial extrapolation). A cycle that begins at the fixed point confirms it. On the round cone this holds up to the
-//! error of the steps.
+//! point of this map (minimal polynomial extrapolation). A cycle that begins at the fixed point confirms it. On the round cone load paths have step
+//! errors, and states count as equal up to these errors.
 //!
 //! If [friction falls](crate::grasp::Contact::kinetic) as contacts begin to slide, the behaviour may repeat itself only after several cycles. Such
 //! periods are found, too.

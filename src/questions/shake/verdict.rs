@@ -1,7 +1,7 @@
 //! The behaviour of a grasp under a repeated load, and numbers about the cycles that were followed. A period is the number of cycles after which the
 //! motion repeats itself. In a walk the object moves on by the same motion in every period; a jump is a sudden motion under constant load. The extent
 //! of the contacts of an object is the root mean square distance of their points from their centroid. A drive is a motor, clutch or tendon of a
-//! joint.
+//! joint. The base load is constant; each cycle is a load program of several legs (sections) that begins and ends with it.
 
 use crate::equilibrium::{Equilibrium, TooFar};
 use crate::grasp::{BodyMotion, Motion, PartLabel, WholeContact, Wrench};

@@ -1,6 +1,6 @@
 //! Finds the sticking condition that is broken most under a set of loads, if all commands and vacuums are multiplied by a factor. A command is the
 //! displacement that a finger would make without the object. A clearance is the gap between finger and object before the command; it is negative if
-//! they overlap.
+//! they overlap. For a force of any direction, the base load acts before this force.
 
 use nalgebra::SVector;
 
@@ -90,8 +90,8 @@ impl<'l> ForceParts<'l> {
 
     /// The sticking conditions of a contact with the least margins `row·F` if commands and vacuums are multiplied by `factor`. For a list of loads
     /// there is one condition under each load. For a force of any direction there is one for each facet of a polygonal cone, and at most one for a
-    /// round cone. Each is taken under the force that is worst for it. For a turning load there is one condition at each angle where a margin is
-    /// least.
+    /// round cone. Each of these conditions is evaluated in the direction of the force that is worst for it. For a turning load there is one
+    /// condition at each angle where a margin is least.
     fn worst(&self, contact: usize, factor: f64) -> Vec<Condition> {
         let edges = &self.edges[contact];
         let (squeeze, pressed) = (self.squeeze.of[contact] * factor, self.squeeze.sizes[contact] * factor);

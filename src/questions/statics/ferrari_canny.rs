@@ -1,8 +1,8 @@
 //! The measure of Ferrari and Canny: the size up to which contact forces within a budget can balance loads of every direction.
 //!
 //! C. Ferrari and J. Canny, *Planning optimal grasps*, 1992: the measure is the radius of the largest ball about the origin in the set of wrenches
-//! within the budget. On the round cone that set has no facets to list. It is known by its support points, which give a lower and an upper bound of
-//! the radius.
+//! within the budget. With round friction cones this set has no facets to list. It is known by its support points: for each direction, the wrench of
+//! the set that does most work along it. They give a lower and an upper bound of the radius.
 
 use super::budget::{Budget, WrenchScale};
 use super::wrench_set::WrenchSet;

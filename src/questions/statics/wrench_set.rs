@@ -1,6 +1,6 @@
-//! The set of wrenches of contact forces within a budget, known by its support points. The budget is an upper limit of the normal force of each
-//! contact, or of the sum of all normal forces. Moments are taken about a reference point and divided by a reference length, both given by a
-//! [`WrenchScale`].
+//! The set of wrenches that the contact forces of a grasp can exert within a budget. The set is described by its support points. The budget is an
+//! upper limit of the normal force of each contact, or of the sum of all normal forces. Moments are taken about a reference point and divided by a
+//! reference length, both given by a [`WrenchScale`].
 //!
 //! The support point in the direction v is the wrench of the contact forces within the budget that do most work along v. At each contact with grasp
 //! map G_i this is the force in the friction cone that does most work along the displacement `u = G_iᵀv`. On the round cone this work is `u_n + μ
@@ -30,7 +30,7 @@ struct ContactCone {
 }
 
 impl ContactCone {
-    /// The force of this contact, per newton of normal force, that does most work along the motion `v`, and that work.
+    /// The force of this contact, per newton of normal force, that does most work along the motion `v`; and this work per newton.
     fn most(&self, v: &Vector) -> (SVector<f64, 3>, f64) {
         let u = self.map.tr_mul(v);
         match &self.cone {
@@ -150,8 +150,8 @@ impl WrenchSet {
         Wrench::among(self.space, &self.space.moved_wrench(&about, &wrench))
     }
 
-    /// The motion in the user's coordinates that corresponds to a direction of the set. Along this motion a wrench does the work `direction · w`,
-    /// where w is the wrench converted by [`Self::inside`].
+    /// The motion, in the user's coordinates, that corresponds to `direction`, a vector in the coordinates of the set. Along this motion a wrench
+    /// does the work `direction · w`, where w is the wrench converted by [`Self::inside`].
     pub(super) fn motion(&self, direction: Vector) -> Twist<3> {
         let about = SVector::from(self.scale.about);
         let direction = scaled(self.space, direction, 1.0 / self.scale.length);

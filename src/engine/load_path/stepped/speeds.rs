@@ -40,7 +40,8 @@ impl Speeds {
         // If the speed grows without bound, the last recorded speed is within this fraction of the leg from the end of the path.
         let to_the_end = 1e-8;
         // If the speed grows by more than this factor between the two fractions `far` and `near`, it is taken as unbounded: with δ^{-1/2}, the
-        // slowest growth above, it would grow by √1000, about 32. At a corner, another end of a path, the speed is bounded.
+        // slowest growth above, it would grow by √1000, about 32. A path may also end at a corner, where no contact states continue it; there the
+        // speed is bounded.
         let runs = 8.0;
         end - near < to_the_end && far.is_some_and(|[_, slow]| *fast > runs * slow)
     }

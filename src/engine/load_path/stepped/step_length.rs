@@ -1,6 +1,7 @@
 //! Step control of a path followed in steps: tries steps that are as long as the allowed error of contact forces permits. Each step is made twice, in
 //! two halves and at once (in a single step of the same length), and the difference measures its error. A leg is a section of the load program. A
-//! second path makes all its steps at once.
+//! second path makes all its steps at once; its distance from this path measures errors that accumulate. A jump is a sudden motion of the object, at
+//! constant load, to another equilibrium.
 
 use super::one_step::SteppedState;
 use super::step_doubling::StepDoubling;
@@ -54,7 +55,8 @@ impl<'g> SteppedFollower<'g> {
         // The next step is at most twice as long as the present step; right after a refused step it may not grow.
         let fastest = if self.pace.refused { 1.0 } else { 2.0 };
         self.pace.refused = part > 1.0;
-        // The next step aims at 0.7 of the allowed error, and is no shorter than a fifth of the present step.
+        // If the error grows with the square of the length, it equals the allowed error at the length `length / √part`. The next step has 0.7 of that
+        // length, but at least a fifth of the present length.
         self.pace.step = length * (0.7 / part.sqrt()).clamp(0.2, fastest);
         if part > 1.0 {
             // The step is refused. If the next step would have to be shorter than the shortest step, rounding errors exceed the allowed error, and
@@ -116,8 +118,9 @@ impl<'g> SteppedFollower<'g> {
         let off = &middle.twist - (&from.twist + &to.twist) * 0.5;
         let sites = along.problem.sites;
         let force_change = largest_force_of_motion(sites, &(&to.twist - &from.twist));
-        // Motions are measured by the forces that they would cause in sticking springs. A step is a jump if its middle is off the straight line
-        // between its ends by more than a quarter of its motion. The motion must also be large: more than a twentieth of the largest force.
+        // Motions are measured by the forces that they would cause in sticking springs. A step is a jump if the object, after the first half of the
+        // step, is off the straight line between the ends of the step by more than a quarter of the step's motion. The motion must also be large:
+        // more than a twentieth of the largest force.
         if force_change > 0.05 * largest && largest_force_of_motion(sites, &off) > 0.25 * force_change {
             return None;
         }

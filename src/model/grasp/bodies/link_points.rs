@@ -50,8 +50,8 @@ impl Link<3> {
         })?;
         let points = self.points(space);
         let (count, all) = (points.len() as f64, self.stiffness.unwrap_or(Self::STIFF));
-        // A slide (linear guide) in space has two normal directions, and half of its bearing contacts act along each of them. Each half together gets
-        // the whole stiffness.
+        // A slide (linear guide) in space has two normal directions, and half of its bearing contacts act along each of them. The contacts of each
+        // half together have the whole stiffness of the slide.
         let is_slide = matches!(self.geometry, LinkGeometry::Slide { .. });
         let share = if is_slide { (space.axes() - 1) as f64 / count } else { 1.0 / count };
         let is_one = points.len() == 1;

@@ -1,8 +1,8 @@
 //! Splits the compliance matrix of a finger's contacts into springs of the single contacts and coordinates that couple them.
 //!
 //! The response of a contact to a displacement is explicit and unique only if the contact has springs of its own along its axes. Therefore a diagonal
-//! part D of the compliance matrix C becomes the contacts' springs. The rest, V Vᵀ, becomes one coordinate with a unit spring for each column of V.
-//! With the least eigenvalue λ_min of the matrix in brackets,
+//! part D of the compliance matrix C becomes the contacts' springs. The rest, V Vᵀ, becomes further coordinates of the hand: one for each column of
+//! V, each with a spring of unit stiffness. With the least eigenvalue λ_min of the matrix in brackets,
 //!
 //! ```text
 //! S = diag C,    D = ½ λ_min(S^-½ C S^-½) S,    C = D + V Vᵀ
@@ -31,8 +31,8 @@ pub(super) fn split(
     let root = whole.map(f64::sqrt);
     let scaled = matrix_of(size, size, &|i, j| compliance[(i, j)] / (root[i] * root[j]));
     let least = least_eigenvalue(&scaled);
-    // A least eigenvalue up to `SOLVED_ROUNDING`, after scaling to unit diagonal, is zero up to rounding. The contacts would then be rigid along some
-    // direction.
+    // If the least eigenvalue of the compliance matrix, after scaling to unit diagonal, is at most `SOLVED_ROUNDING`, it is zero up to rounding. The
+    // contacts would then be rigid along some direction.
     if least <= SOLVED_ROUNDING {
         return Err(NotPositive::Eigenvalue(least_eigenvalue(compliance)));
     }
