@@ -106,7 +106,7 @@ fn loads_grow_together_in_other_questions() {
         r#"{{ "need": {{ "quantity": "load", "demand": "held", "load": {{ "force": [6, 0], "at": [0, 0.2] }}, "friction_less": 0, "squeeze_less": 0, {others} }} }}"#
     ));
     let says = amount["need"]["says"].as_str().expect("a sentence");
-    assert!(says.starts_with("TAKES 0.5 times"), "{says}");
+    assert!(says.starts_with("TAKES only 0.5 times"), "{says}");
     let under = |newtons: f64| {
         answer(&format!(
             r#"{{ "solve": {{ "load": {{ "force": [{newtons}, 0], "at": [0, 0.2] }}, "together_with": {{ "lower": {{ "force": [{}, 0], "at": [0, 0.1] }} }} }} }}"#,
