@@ -46,6 +46,15 @@ pub struct Brief {
     /// multiple of the loads up to which the answer holds. For `identify` the value of the first unknown.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub factor: Option<f64>,
+    /// The load factor at which a contact first stops sticking, for `hold`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub first_slip: Option<f64>,
+    /// The quantity that `need` seeks. `factor` is a coefficient for friction, a length in m for an arm, else a multiple of what is given.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub quantity: Option<Quantity>,
+    /// The far end of the amounts that suffice, if amounts beyond it fail, in the unit of `factor` or `angle`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub until: Option<f64>,
     /// The angle at first slip under a turning load, or the angle that `need` seeks, rad.
     #[serde(rename = "angle_rad", skip_serializing_if = "Option::is_none")]
     pub angle: Option<f64>,
@@ -223,7 +232,8 @@ fn held_briefly(verdict: &Verdict<3>) -> Brief {
     let factor = verdict.lost.as_ref().map(|lost| lost.factor);
     let is_lost = matches!(verdict.holding, Holding::Lost);
     let beyond_small_motions = is_lost && verdict.lost.as_ref().is_some_and(|lost| lost.too_far.is_some());
-    Brief { factor, first: contact, beyond_small_motions, ..Brief::new("hold", outcome) }
+    let first_slip = first.map(|first| first.factor);
+    Brief { factor, first_slip, first: contact, beyond_small_motions, ..Brief::new("hold", outcome) }
 }
 
 /// Short answer to `need`: the least or largest value of the sought quantity, such as squeeze, friction or load.
@@ -236,7 +246,11 @@ fn needed_briefly(needed: &Needed) -> Brief {
     };
     let amount = needed.amount.bound();
     let (factor, angle) = if needed.quantity == Quantity::Angle { (None, amount) } else { (amount, None) };
-    Brief { factor, angle, ..Brief::new("need", outcome) }
+    let until = match &needed.amount {
+        Amount::Bound { until: Some(end), .. } | Amount::Any { until: Some(end), .. } => Some(end.sufficient),
+        _ => None,
+    };
+    Brief { factor, angle, until, quantity: Some(needed.quantity), ..Brief::new("need", outcome) }
 }
 
 /// Short answer to `improve`: the load factor at first slip, or the least friction margin, of the best grasp found. It also names the contact that
