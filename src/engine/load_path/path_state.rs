@@ -29,8 +29,8 @@ pub(super) fn forces_are_rounding(problem: &Problem<'_>, forces: &[SVector<f64, 
     largest <= ROUNDED_SUM * softest_spring_force(problem, twist)
 }
 
-/// The least force, N, that the displacements in the equilibrium would cause in the softest spring of a contact. Rounding errors of contact
-/// forces are proportional to this force, however small the contact forces are.
+/// The force, N, that the displacements of a contact in the equilibrium would cause in its softest spring; the least of these forces over all
+/// contacts. Rounding errors of contact forces are proportional to this least force, however small the contact forces are.
 pub(super) fn softest_spring_force(problem: &Problem<'_>, twist: &Vector) -> f64 {
     let spans = (0..problem.len()).map(|contact| problem.span(contact, twist));
     least_spring_force(problem.sites, spans)

@@ -268,7 +268,8 @@ impl<'g> PiecewiseFollower<'g> {
                 }
                 // At the end of a leg, a slip rate of zero does not matter, since the next leg has other rates.
                 _ if leg_done => {}
-                // If the load turns back here, all slips stop. The rates of the load slightly ahead then determine which contacts slide on.
+                // If the load turns back at this point of the path, all slips stop. The rates of the load just after this point then determine
+                // which contacts slide on.
                 _ if self.segment.load_turns_back(to) => stops = true,
                 _ => sticks.push(contact),
             }

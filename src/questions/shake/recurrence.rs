@@ -137,8 +137,8 @@ fn power_and_sum(a: &DMatrix<f64>, n: usize) -> (DMatrix<f64>, DMatrix<f64>) {
 }
 
 impl CycleState {
-    /// The forces and gaps of this state in units of `scale`, and 1 for each contact with kinetic friction, else 0. Gaps of contacts for which
-    /// `aside` returns true are replaced by zero.
+    /// The forces and gaps of this state in units of `scale`. If the grasp has kinetic friction, then for each contact 1 if it slides with its lower
+    /// kinetic friction, else 0. Gaps of contacts for which `aside` returns true are replaced by zero.
     pub(super) fn numbers(&self, scale: &CycleUnits, aside: &dyn Fn(usize) -> bool) -> DVector<f64> {
         let mut numbers = Vec::new();
         for force in &self.forces {

@@ -18,8 +18,8 @@ pub(super) const AROUND_A_CONE: usize = 16;
 /// Lower limit of the terms (a diagonal entry, a determinant) that describe how a margin curves, and by which its failure probability is corrected to
 /// second order.
 ///
-/// For smaller terms the expansion about the point of failure no longer describes the margin. If smaller, corrected probabilities may become far too
-/// large, so that no reserve is left. If larger, frequent failures are taken as rare.
+/// Where a term is below this limit, the expansion about the point of failure no longer describes the margin; the limit replaces the term. With a
+/// smaller limit, corrected probabilities may become far too large, so that no reserve is left. With a larger limit they may become far too small.
 pub(super) const LEAST_CURVED: f64 = 0.1;
 
 /// Fraction by which the allowed failure probability is reduced, because some effects of the interactions of data errors are neglected.

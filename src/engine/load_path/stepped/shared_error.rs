@@ -15,7 +15,8 @@
 //! if |s| < 1/4, i.e. the stop is nearer than half the length of a straight line
 //! ```
 //!
-//! The error is at most |c| / 32, a quarter of the force that the displacement `off` would cause in the springs. The same bound holds for the
+//! A straight line is here half a step long. The error is at most |c| / 32, a quarter of the force that the displacement `off` would cause in the
+//! springs. The same bound holds for the
 //! distance by which a sticking contact's force may have been outside its cone within the step. It also holds for the error of the force of an
 //! opening or closing contact.
 //!
@@ -55,8 +56,8 @@ impl StepProblem<'_> {
             let turned = (began / tangential_norm(&began) - slide.direction).norm();
             // If a contact begins to slide within a half of the step, the derivative of the twist with respect to the load factor jumps there. The
             // twist then deviates from a straight line by up to twice its deviation in the middle. The error of the friction force is at most this
-            // deviation, as a force in the springs, times the angle by which the direction of slip turns. The friction force itself is a bound of the
-            // deviation that counts.
+            // deviation, as a force in the springs, times the angle by which the direction of slip turns. The deviation, as a force, is capped at the
+            // magnitude of the friction force: a turn by an angle changes the friction force by at most this magnitude times the angle.
             let most = (2.0 * bend.norm()).min(tangential_norm(&began));
             if turned > 0.0 { most * turned } else { 0.0 }
         };
