@@ -320,8 +320,8 @@ impl OptionVectors {
         Ok(Some(Question::Follow { start, legs, in_steps: None }))
     }
 
-    /// The turning load of a tilted grasp: `weight`, N, acts at the point `at`. In the plane the grasp is tilted from x to y, unless `axis` is
-    /// 0,0,-1; in space about `axis`.
+    /// The turning load of a tilted grasp: `weight`, N, acts at the point `at`. In space the grasp is tilted about `axis`. In the plane it is tilted
+    /// from x to y (anticlockwise), but clockwise if `axis` is 0,0,-1.
     pub(crate) fn turn(
         self,
         weight: [f64; 3],

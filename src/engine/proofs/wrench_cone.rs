@@ -141,9 +141,9 @@ impl<'p, 'g> LoadAndCones<'p, 'g> {
         self.is_proof(&v).then(|| v.normalize())
     }
 
-    /// Whether a motion separates the load from all admissible contact forces, clearly beyond rounding. The motion may come from any method: its norm
-    /// must exceed the fraction [`CLEAR_RESIDUAL`] of the load. An equilibrium that rounding hides must have forces of at least [`ESCAPE`] times load
-    /// and commands.
+    /// Whether the motion v separates the load from all admissible contact forces, clearly beyond rounding. The method that found v does not matter.
+    /// The norm of v must exceed the fraction [`CLEAR_RESIDUAL`] of the norm of the load. An equilibrium that rounding hides must have forces of at
+    /// least [`ESCAPE`] times load and commands.
     fn is_proof(&self, v: &Vector) -> bool {
         let mut negative_work = 0.0_f64;
         self.straight.iter().for_each(|g| negative_work = negative_work.max(g.works_against(v)));

@@ -139,7 +139,7 @@ impl<'g> EnergyProgram<'g> {
         axis_springs(self.problem.sites, &|contact, axis| axis > 0 || !faces.open[contact])
     }
 
-    /// The candidate for the minimum in which everything sticks, from its forces and motion.
+    /// The candidate for the minimum with all contacts sticking; `stuck` has its forces and motion.
     pub(super) fn sticking(&self, stuck: &ForcesAndTwist) -> ProgramPoint {
         ProgramPoint {
             forces: stuck.forces.clone(),

@@ -99,8 +99,8 @@ impl<'p> Recurrence<'p> {
         (self.combination(&weights), change)
     }
 
-    /// The sum of the states, multiplied by weights that add up to one. The sum is an equilibrium, because all states are equilibria under the same
-    /// load. The conditions of equilibrium are linear while the events are the same.
+    /// The weighted sum of the states `places`; the weights add up to one. The sum is an equilibrium, because all states are equilibria under the
+    /// same load, and the conditions of equilibrium are linear while the events are the same.
     fn combination(&self, weights: &[f64]) -> CycleState {
         let from = &self.places[self.places.len() - 1];
         let mut sum = from.clone();

@@ -51,7 +51,7 @@ pub(crate) fn weakest<const C: usize>(
     })
 }
 
-/// The grasp for questions in many directions: to save time, it never enumerates combinations of contact states.
+/// A copy of the grasp for questions in many directions. To save time, its questions never enumerate combinations of contact states.
 pub(crate) fn quick<const C: usize>(grasp: &Grasp<C>) -> Grasp<C> {
     grasp.with(&grasp.settings().with_most_states(0))
 }

@@ -1,6 +1,6 @@
 //! Errors of contact forces that a step made at once (in a single step of the same length) has in common with the same step made in two halves. The
-//! difference between both does not reveal these errors. Both assume that the twist and the stretches change along straight lines, in the whole step
-//! or in each half.
+//! difference between the two results does not reveal these errors. The step made at once assumes that the twist and the stretches change along one
+//! straight line, the step in two halves assumes one straight line in each half.
 //!
 //! Along a step of length h the true twist deviates from a straight line, in the middle by the twist `off`. Let a contact have the grasp map G,
 //! springs of stiffness K (k_n along the normal), the stretch v with the normal part v_n and the tangential part v_t, and the coefficient of friction
