@@ -58,8 +58,8 @@ pub enum Parameter {
         /// The coordinate axis along which the point moves, from 0.
         axis: usize,
     },
-    /// Direction of the normal of a contact, rad: the whole frame turns about the contact point. Stiffness, command, clearance and slip keep their
-    /// components along its axes, and so turn with the frame; commands of joints stay.
+    /// Direction of the normal of a contact, rad: the whole contact frame turns about the contact point. Stiffness, command, clearance and slip keep
+    /// their components along the axes of this frame, and so turn with it. Commands of joints do not change.
     Normal {
         /// Index of the contact, from 0.
         contact: usize,

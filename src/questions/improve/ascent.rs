@@ -226,8 +226,9 @@ impl AscentProblem<'_> {
         Ok(numbered(idle.len(), &is_left_open))
     }
 
-    /// Load factor zero, if the given grasp holds the base load without sliding but a contact touches without force. Such a contact slides under an
-    /// arbitrarily small load. `None` if a contact slides or has a gap under the base load, or if no contact touches without force.
+    /// Returns zero as the load factor of first slip if the given grasp holds the base load without sliding, but a contact touches without force.
+    /// Such a contact slides under an arbitrarily small load. `None` if a contact slides or has a gap under the base load, or if no contact touches
+    /// without force.
     fn slips_at_once(&self) -> Result<Option<f64>, Error> {
         let outcome = self.grasp.solve(self.loaded.base)?;
         let Some(equilibrium) = outcome.equilibrium() else { return Ok(None) };

@@ -45,8 +45,8 @@ impl StepProblem<'_> {
         }
         let made_of = |motion: Vector| site.springs.force(&site.map.tr_mul(&motion));
         let bend = made_of(&middle.twist - (&from.twist + &to.twist) * 0.5);
-        // The middle state shows how far the twist deviates from a straight line over the whole step. Over half a step, in the middle of the half,
-        // the deviation is a quarter of that.
+        // The middle state shows how far the twist deviates from a straight line over the whole step. The deviation is quadratic in the length, so in
+        // the middle of half a step it is a quarter of that in the middle of the whole step.
         let off = 0.25 * bend.norm();
         let drawn = |a: &SteppedState, b: &SteppedState| {
             site.springs.force(&(self.change(i) * (b.fraction - a.fraction))) - made_of(&b.twist - &a.twist)
