@@ -37,9 +37,9 @@ pub(crate) const SUFFICIENT_DECREASE: f64 = 0.1;
 /// A vector is linearly dependent on others if its component orthogonal to them is below this fraction of its length. A matrix whose smallest
 /// pivot is below this fraction of its largest pivot is singular.
 ///
-/// Rounding leaves some 1e-15 of an exactly dependent vector. Real geometry may have normals that differ by as little as 1e-12, and such a difference
-/// must count. If smaller, rounding errors count as stiffness along a motion that no spring resists. If larger, the stiffness of soft springs is
-/// dropped where stiff springs act too.
+/// Rounding leaves some 1e-15 of an exactly dependent vector. Two unit normals whose directions differ by 1e-12 still count as independent. If
+/// smaller, rounding errors count as stiffness along a motion that no spring resists. If larger, the stiffness of soft springs is dropped where stiff
+/// springs act too.
 pub(crate) const LINEARLY_DEPENDENT: f64 = 1e-13;
 
 /// LU with partial pivoting gives no factors if a pivot is at most this fraction of the largest entry of the matrix.
