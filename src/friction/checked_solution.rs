@@ -40,8 +40,8 @@ impl<const C: usize> FrictionProblem<C> {
         r
     }
 
-    /// The solution with these forces, after forces of open contacts are set to zero and, if needed, forces are moved onto their cones. `None` if its
-    /// residuals exceed the tolerance, or if q is smaller than the rounding error of W r.
+    /// The solution with the forces r, after forces of open contacts are set to zero and, if needed, forces are moved onto their cones. `None` if a
+    /// residual of the solution exceeds `tolerance`, or if q is smaller than the rounding error of W r.
     pub(super) fn checked_solution(
         &self,
         mut r: DVector<f64>,

@@ -1,5 +1,6 @@
 //! Newton's method on the round cone for a few contacts, from forces near a solution. It solves the equations of
-//! [`alart_curnier`](super::alart_curnier) as one dense system.
+//! [`alart_curnier`](super::alart_curnier) as one dense system. The contact forces r cause the contact velocities u = W r + q, with the matrix W of
+//! the problem and the velocities q without contact forces.
 
 use super::alart_curnier::answer;
 use super::problem::{FrictionProblem, part};
@@ -24,7 +25,7 @@ struct Iterate<const C: usize> {
     terms: f64,
 }
 
-/// Newton's method for one problem.
+/// Newton's method for one frictional contact problem.
 pub(super) struct Newton<'a, const C: usize> {
     problem: &'a FrictionProblem<C>,
     /// The factor ρ of each contact that converts velocities to forces: the inverse of the largest entry of its diagonal block of the matrix W.

@@ -83,5 +83,6 @@
 //! RESTS in whichever order they come, up to 1.54031 times these loads. With more, right slides
 //! ```
 //!
-//! A roller rocked back and forth under a shear rests up to `1 - 3 w / 2 + w³ / 2` of the friction limit, where w is the rocking divided by half the
-//! width of its contact. A test of the repository approaches this with 81 springs.
+//! A roller that is rocked back and forth under a shear force rests if this force is at most `1 - 3 w / 2 + w³ / 2` times the friction limit. Here w
+//! is the distance by which the contact pressure moves to either side, divided by half the width of the contact. A test of the repository approaches
+//! this limit with 81 springs.

@@ -2,15 +2,16 @@
 //!
 //! Coulomb's law is not the condition for a minimum of an energy. If friction is large enough to hold a body against the springs that support it, the
 //! same load may have an equilibrium with a sticking contact, one with a sliding contact and one with an open contact (A. Klarbring, "Examples of
-//! non-uniqueness and non-existence of solutions to quasistatic contact problems with friction", *Ingenieur-Archiv* 60, 1990). In his example, with
-//! numbers, springs hold a body above a floor. Pulled along the floor the body is lifted by its springs, since their stiffness
+//! non-uniqueness and non-existence of solutions to quasistatic contact problems with friction", *Ingenieur-Archiv* 60, 1990). In his example, here
+//! with numbers, springs hold a body above a floor. Components are tangential to the floor (t), then normal to it (n). Pulled along the floor the
+//! body is lifted by its springs, since their stiffness
 //!
 //! ```text
 //! K = ⎡ 2 -1⎤      couples the two directions,      K⁻¹ = ⅓ ⎡2 1⎤      and  μ = 3 > K_tt / |K_tn| = 2.
 //!     ⎣-1  2⎦                                               ⎣1 2⎦
 //! ```
 //!
-//! Under the load (2.5, -1) the body may hang free, lifted by (K⁻¹W)_n = 1/6, or rest on the floor, whose friction keeps it from being lifted:
+//! Under the load W = (2.5, -1) the body may hang free, lifted by (K⁻¹W)_n = 1/6, or rest on the floor, whose friction keeps it from being lifted:
 //!
 //! ```
 //! use grasp_lcp::equilibrium::{ContactState, FoundBy};
@@ -55,7 +56,7 @@
 //! * everything that touches sticks;
 //! * in space, with fewer than 32 contacts, the state to which viscous slip leads from the state in which everything sticks, if it leads to an
 //!   equilibrium;
-//! * in space and from 32 contacts on, the state that Newton's method reaches from the elastic trial state;
+//! * in space and from 32 contacts on, the state that Newton's method reaches from the state in which everything sticks;
 //! * the end of a path of Lemke's method;
 //! * the first combination of contact states, in a fixed order, that has an equilibrium.
 //!

@@ -72,7 +72,7 @@ pub(super) struct Dictionary {
     pub(super) term_sizes: Vec<f64>,
     /// The column of the entering variable: for each row, the change of the basic variable per unit of the entering variable.
     pub(super) u: Vec<f64>,
-    /// The covering vector d in balanced rows.
+    /// The covering vector d of the balanced problem: each entry is multiplied by the scale factor of its row.
     pub(super) d: Vec<f64>,
     /// The column of the balanced M, or the covering vector d, from which the entering column is computed. An additional entry with the index n
     /// is zero; it is read for rows whose basic variable is no slack.
@@ -174,7 +174,7 @@ impl Dictionary {
         wide(Combine::<true> { columns: &self.columns, n: self.n, c: &self.c, y: &mut self.term_sizes });
     }
 
-    /// Sets entries of the entering column `u` to zero that are only noise: rounding errors of zero.
+    /// Sets to zero those entries of the entering column `u` that are only noise, i.e. rounding errors of zero.
     ///
     /// In a column that was computed as a sum (equation (1) at the top of the file), an entry is noise below `tolerance` times the magnitude of its
     /// terms. In the stored column of a slack, an entry is noise below [`STORED_ROUNDING`] (64 units of rounding) times the largest entry.

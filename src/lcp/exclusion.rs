@@ -7,9 +7,10 @@
 //! v_ᾱ ≥ 0,     (Mᵀv)_α ≤ 0,     qᵀv < 0
 //! ```
 //!
-//! If the principal block M_αα is regular and the point of the basis violates a condition of the piece, v is derived from a row of the inverse of the
-//! block. The sums (Mᵀv)_α, which would be zero, are shifted slightly below zero, so that rounding cannot make them positive. For singular blocks v
-//! comes from a linear program. Every v is checked by sums without rounding; if none passes, the basis is not excluded.
+//! If the principal block M_αα is regular, exactly one z has z_ᾱ = 0 and (M z + q)_α = 0: the point of the basis. If this point violates a condition
+//! of the piece, v is derived from a row of the inverse of the block. The sums (Mᵀv)_α, which would be zero, are shifted slightly below zero, so that
+//! rounding cannot make them positive. For singular blocks v comes from a linear program. Every v is checked by sums without rounding; if none
+//! passes, the basis is not excluded.
 
 use super::farkas::{Domain, cleaned};
 use super::linear_program::{self, MARGINS};
@@ -47,7 +48,7 @@ impl ExclusionTest<'_> {
     }
 
     /// Whether one row of M and q alone excludes the basis α. Row i does so if q_i < 0 and row i of M has no positive entry in the columns α:
-    /// then w_i < 0. For i in α, where w_i must be zero, the opposite signs also exclude the basis.
+    /// then w_i < 0. For i in α, where w_i must be zero, row i also excludes the basis if q_i > 0 and the row has no negative entry in the columns α.
     fn by_one_row(&self, alpha: &[usize]) -> bool {
         let hopeless = |i: usize, sign: f64| self.lcp.has_certain_sign(i, sign, alpha.iter().copied());
         (0..self.q.len()).any(|i| hopeless(i, 1.0)) || alpha.iter().any(|i| hopeless(*i, -1.0))

@@ -12,8 +12,8 @@ impl Lcp {
     /// & Stone, *The Linear Complementarity Problem*, 1992, theorem 3.3.7), and Lemke's method finds it. `None` if undecided (then n > 12).
     ///
     /// Definiteness, diagonal dominance or signs usually decide this. If they do not, and n ≤ 12, up to 2ⁿ Schur complements are computed (M. J.
-    /// Tsatsomeros and L. Li, *A recursive test for P-matrices*, BIT 40, 2000). Rounding may decide for a matrix with a pivot of less than 8 n ε (ε =
-    /// 2⁻⁵²), or 1e-14, relative to the diagonal entry of M.
+    /// Tsatsomeros and L. Li, *A recursive test for P-matrices*, BIT 40, 2000). A pivot counts as positive only above 8 n ε (ε = 2⁻⁵²) times the
+    /// diagonal entry of M, in Schur complements above 1e-14 times this entry. If a pivot is near this limit, rounding may decide.
     ///
     /// ```
     /// use grasp_lcp::lcp::Lcp;

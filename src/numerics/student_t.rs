@@ -33,7 +33,8 @@ pub(crate) fn two_sided(probability: f64, degrees: Option<f64>) -> f64 {
     }
 }
 
-/// The probability that |t| is below √ν tan θ for Student's t with ν degrees of freedom, at the angle θ. `a` is ν/2, and `whole` is B(a, 1/2).
+/// The probability that |t| is below √ν tan θ for Student's t with ν degrees of freedom, at the angle θ. `a` is ν/2, and `whole` is the beta function
+/// B(a, 1/2).
 fn within_an_angle(angle: f64, a: f64, whole: f64) -> f64 {
     let (sin, cos) = angle.sin_cos();
     let x = cos * cos;
@@ -57,7 +58,7 @@ fn fraction(x: f64, a: f64, b: f64) -> f64 {
     };
     // Convergents p / q by their recurrence, normalised to q = 1.
     let ([mut p, mut before], mut q_before) = ([1.0, 1.0], 0.0);
-    // The continued fraction needs some √ν terms for ν degrees of freedom.
+    // For ν degrees of freedom the continued fraction converges after a number of terms of about √ν, which is far below 500.
     for k in 1..500 {
         let d = term(k);
         let (next, q) = (p + d * before, 1.0 + d * q_before);
@@ -70,8 +71,8 @@ fn fraction(x: f64, a: f64, b: f64) -> f64 {
     p.recip()
 }
 
-/// B(a, 1/2), by its recurrence up to arguments where the series for the quotient of gamma functions is accurate (Abramowitz and Stegun,
-/// 6.1.47).
+/// The beta function B(a, 1/2). Its recurrence in a leads to arguments at which the series for the quotient of gamma functions is accurate
+/// (Abramowitz and Stegun, 6.1.47).
 fn beta_with_half(a: f64) -> f64 {
     let (mut a, mut times) = (a, 1.0);
     // From this argument on the series below is accurate to 1e-13.

@@ -37,24 +37,25 @@ pub(crate) const SUFFICIENT_DECREASE: f64 = 0.1;
 /// A vector is linearly dependent on others if its component orthogonal to them is below this fraction of its length. A matrix whose smallest
 /// pivot is below this fraction of its largest pivot is singular.
 ///
-/// Rounding leaves 1e-16 times a few operations; normals of real geometry are parallel up to 1e-12. If smaller, rounding errors count as stiffness
-/// along a motion that no spring resists. If larger, the stiffness of soft springs is dropped where stiff springs act too.
+/// Rounding leaves some 1e-15 of an exactly dependent vector. Two unit normals whose directions differ by 1e-12 still count as independent. If
+/// smaller, rounding errors count as stiffness along a motion that no spring resists. If larger, the stiffness of soft springs is dropped where stiff
+/// springs act too.
 pub(crate) const LINEARLY_DEPENDENT: f64 = 1e-13;
 
-/// Pivot, relative to the largest entry of the matrix, up to which LU with partial pivoting gives no factors.
+/// LU with partial pivoting gives no factors if a pivot is at most this fraction of the largest entry of the matrix.
 ///
 /// [`CompletePivoting`](super::CompletePivoting) or [`Orthogonal`](super::Orthogonal) must then find out whether the matrix is singular or only soft
-/// in some direction. Above this limit a solution has some six digits without refinement. If smaller, callers that do not refine get wrong digits; if
-/// larger, more matrices need the slower factors.
+/// in some direction. With pivots above this limit a solution has some six correct digits without refinement. If smaller, callers that do not refine
+/// get wrong digits; if larger, more matrices need the slower factors.
 pub(super) const PARTIAL_PIVOT: f64 = 1e-10;
 
-/// Pivot of a band matrix, relative to its largest entry, that counts as zero.
+/// A pivot of a band matrix counts as zero if it is at most this fraction of the largest entry of the matrix.
 ///
-/// It is smaller than [`PARTIAL_PIVOT`], since solutions of band systems are refined. Exactly singular matrices leave some 1e-16. If larger, the
-/// stiffness of soft springs is dropped where stiff springs act too.
+/// The fraction is smaller than [`PARTIAL_PIVOT`], since solutions of band systems are refined. In an exactly singular matrix rounding leaves a pivot
+/// of some 1e-16 of the largest entry. If larger, the stiffness of soft springs is dropped where stiff springs act too.
 pub(super) const BAND_PIVOT: f64 = 1e-11;
 
-/// Pivot, relative to the original diagonal entry, below which a matrix does not count as positive definite.
+/// A matrix does not count as positive definite if a pivot is below this fraction of the original diagonal entry in the same row.
 ///
 /// If smaller, a semidefinite matrix gets factors that consist of rounding. If larger, matrices of condition 1e12 get no factors.
 pub(super) const POSITIVE_PIVOT: f64 = 1e-12;
@@ -65,14 +66,16 @@ pub(super) const POSITIVE_PIVOT: f64 = 1e-12;
 /// outside.
 pub(super) const FLAT_SET: f64 = 1e-10;
 
-/// In the search for the largest ball in a convex set, the polytope grows, and its distance from the origin should not decrease. A decrease up to
-/// this fraction of the size of the set is accepted as rounding; a larger one ends the search.
+/// The search for the largest ball about the origin in a convex set lets a polytope grow within the set. The distance of the polytope's closest face
+/// from the origin should not decrease. A decrease up to this fraction of the size of the set is accepted as rounding; a larger one ends the search.
 ///
 /// If smaller, sets of many points end with a loose bound. If larger, a polytope with a wrong face continues to grow.
 pub(super) const POLYTOPE_SHRINKS: f64 = 1e-7;
 
-/// Limit for rounding in the search for the point where a ray leaves a convex set. Distances beyond a plane, or from the middle of the set,
-/// count as zero up to this fraction of the ray. Pivots count as zero up to this fraction of the largest.
+/// Limit for rounding in the search for the point where a ray leaves a convex set. The ray crosses a plane through some points of the set. No point
+/// of the set lies beyond this plane if none is farther from the start of the ray than the plane by more than this fraction. The length of a ray
+/// counts as zero up to this fraction of the norms of its two ends, and a pivot up to this fraction of the largest.
 ///
-/// If smaller, rounding makes a ray change planes until the pivot limit. If larger, the length of a ray has fewer correct digits.
+/// If smaller, rounding exchanges points of the plane until the limit of the number of pivots. If larger, the length of a ray has fewer correct
+/// digits.
 pub(super) const BEYOND_PLANE: f64 = 1e-13;

@@ -12,7 +12,7 @@ use super::rows::AxisRow;
 use crate::numerics::{mapped, moved};
 
 /// A value that consists of numbers: a number, a row with one number per axis, or a list or option of these. The type `K` says which numbers are
-/// accepted: [`Given`] finite ones of moderate size, [`Computed`] any.
+/// accepted: [`Given`] finite ones up to 1e50 in magnitude, [`Computed`] any.
 pub(crate) trait Numeric<K>: Sized {
     type Written: Serialize + DeserializeOwned;
     fn write(&self) -> Self::Written;
@@ -62,7 +62,7 @@ impl<K, T: Numeric<K>> Numeric<K> for Vec<T> {
 /// The text form of a field of type `T` that consists of numbers. The type `K` says which numbers are accepted, see [`Numeric`].
 pub(crate) struct As<K, T>(PhantomData<(K, T)>);
 
-/// The text form of a field that the user gives, in a scene or a question: finite numbers of moderate size.
+/// The text form of a field that the user gives, in a scene or a question: finite numbers up to 1e50 in magnitude.
 pub(crate) type AsGiven<T> = As<Given, T>;
 /// The text form of a field of an answer: any numbers, also infinite ones and NaN.
 pub(crate) type AsComputed<T> = As<Computed, T>;

@@ -1,5 +1,5 @@
-//! The questions of the command line, whose numbers become loads in the plane or in space. A base load is constant: it acts before the load of a
-//! question grows, and then together with it.
+//! The questions of the command line. The numbers of its options become loads in the plane or in space. A base load is constant: it acts before the
+//! load of a question grows, and then together with this load.
 
 use crate::arguments::{Command, LoadArguments, Numbers};
 use crate::failure::Failure;
@@ -199,7 +199,8 @@ fn is_of_kind(question: &Question<3>, asked: &Command) -> bool {
 }
 
 impl OptionVectors {
-    /// The sum of `--force`, the pull of `--mass` and `--moment`, as a wrench about the origin; `None` if none of them is given. `beside` is true if
+    /// The sum of three loads as a wrench about the origin: the force `--force`, the moment `--moment`, and the weight of the mass `--mass` less its
+    /// inertial force (mass times acceleration). `None` if none of these options is given. `beside` is true if
     /// another option gives a force at the point `--at`: then `--at` is allowed without `--force` and `--mass`, otherwise it is an error.
     pub(crate) fn wrench(self, load: &LoadArguments, beside: bool) -> Result<Option<Wrench>, Failure> {
         let LoadArguments { force, moment, at, mass, .. } = load;
@@ -319,8 +320,8 @@ impl OptionVectors {
         Ok(Some(Question::Follow { start, legs, in_steps: None }))
     }
 
-    /// The turning load of a tilted grasp: `weight`, N, acts at the point `at`. In the plane the grasp is tilted from x to y, unless `axis` is
-    /// 0,0,-1; in space about `axis`.
+    /// The turning load of a tilted grasp: `weight`, N, acts at the point `at`. In space the grasp is tilted about `axis`. In the plane it is tilted
+    /// from x to y (anticlockwise), but clockwise if `axis` is 0,0,-1.
     pub(crate) fn turn(
         self,
         weight: [f64; 3],

@@ -67,8 +67,8 @@ pub(crate) fn warn(path: &Path, scene: &Scene) -> Result<(), Failure> {
     warn_of_stiffness(path, scene)
 }
 
-/// Prints the warnings that can be given before any question is answered. `given` is the scene before the command line has replaced its questions:
-/// warnings about the loads of these questions are printed, too.
+/// Prints the warnings that can be given before any question is answered. `given` is the scene before the command line has replaced its questions.
+/// Warnings about the loads of the replaced questions are printed, too.
 pub(crate) fn warn_at_once(path: &Path, scene: &Scene, given: Option<&Scene>) -> Result<(), Failure> {
     let mut warnings = scene.warnings_at_once().map_err(|error| refused(path, &error))?;
     let of_loads =
@@ -83,8 +83,8 @@ pub(crate) fn warn_at_once(path: &Path, scene: &Scene, given: Option<&Scene>) ->
     Ok(())
 }
 
-/// Prints the warnings about stiffnesses that the scene does not give. To see whether answers depend on them, each question is answered with
-/// several trial values.
+/// Prints the warnings about stiffnesses that the scene does not give. Each question is answered with several trial values of these stiffnesses, to
+/// see whether its answer depends on them.
 pub(crate) fn warn_of_stiffness(path: &Path, scene: &Scene) -> Result<(), Failure> {
     tell(path, &scene.stiffness_left_out().map_err(|error| refused(path, &error))?);
     Ok(())

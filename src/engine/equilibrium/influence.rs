@@ -65,8 +65,8 @@ mod tests {
         Engine::new(vec![finger(0.3, 9.0), finger(2.2, 11.0), finger(4.4, 10.0)]).expect("three fingers")
     }
 
-    /// The direction of a force of 2 N at `point` that brings the thumb's force closest to the edge of its friction cone. Also the distance from this
-    /// edge, N, that remains under this force.
+    /// Returns two values. The first is the direction in which a force of 2 N at `point` brings the thumb's contact force closest to the edge of its
+    /// friction cone. The second is the distance of the contact force from this edge, N, that remains under the added force.
     fn worst_for_the_thumb(grasp: &Engine, weight: &Wrench<3>, point: [f64; 3]) -> (SVector<f64, 3>, f64) {
         let response = StickingResponse::new(grasp, &Settings::default());
         let force = response.forces(&grasp.offsets(), &grasp.load_unchecked(weight)).expect("resists").of[0];

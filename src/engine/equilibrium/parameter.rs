@@ -10,7 +10,8 @@
 //! stiffness    normal:   f = (e_n + μ p) F_n / k_n     tangential: f = e_a F_a/k_a minus its part across the facet
 //! ```
 //!
-//! Here p is the friction force of a sliding contact divided by its limit μ F_n. e_a is the unit vector along axis a of the contact frame. The "part
+//! Here p is the friction force of a sliding contact divided by its limit μ F_n. e_a is the unit vector along axis a of the contact frame, e_n that
+//! along the normal. F_a and F_n are the components of the contact force along these axes, k_a and k_n the stiffnesses. The "part
 //! across the facet" is the part along the facet's normal: the contact slides along this normal, so that friction along it stays at its limit. The
 //! stretches v are taken as F/k, so that no difference of large displacements is needed. A change dG_i of the grasp map (see `geometry`) changes the
 //! stretch by `-dG_iᵀq` and the balance by `dG_i F_i`.
@@ -57,8 +58,8 @@ pub enum Parameter {
         /// The coordinate axis along which the point moves, from 0.
         axis: usize,
     },
-    /// Direction of the normal of a contact, rad: the whole frame turns about the contact point. Stiffness, command, clearance and slip keep their
-    /// components along its axes, and so turn with the frame; commands of joints stay.
+    /// Direction of the normal of a contact, rad: the whole contact frame turns about the contact point. Stiffness, command, clearance and slip keep
+    /// their components along the axes of this frame, and so turn with it. Commands of joints do not change.
     Normal {
         /// Index of the contact, from 0.
         contact: usize,

@@ -1,4 +1,5 @@
-//! The kinematic form (see [`super`]): jumps (gaps and slips) from the elastic trial state, in which every contact sticks.
+//! The kinematic form (see [`super`]). Its unknowns are jumps: the gaps and slips by which a solution differs from the elastic trial state, in which
+//! every contact sticks.
 //!
 //! The form needs the matrix P, the change of all contact forces per unit of a displacement at one contact while the object gives way. G is the grasp
 //! map of all contacts, and K the diagonal matrix of their stiffnesses. P is computed by orthogonal factors Q and R, whose accuracy does not depend

@@ -1,5 +1,8 @@
 //! The meaning of each complementary pair (each row) of a linear complementarity problem, and the pairs that a contact does not need. In the
 //! kinematic form the unknowns are gaps and slips, in the force form contact forces, sizes of slips and the twist.
+//!
+//! The contact force F has the normal part `F_n` and the tangential part `F_t`, limited by the friction coefficient μ. The friction cone is a polygon
+//! for `μ F_n = 1`: its facets `h·F_t <= 1` have the normals h, its corners are the tangential vectors d_j.
 
 use crate::lcp::Lcp;
 use crate::prelude::*;
@@ -41,9 +44,9 @@ pub enum Row {
     },
     /// Force form: one half of an equilibrium equation.
     ///
-    /// The unknown z is the positive or negative part of a component of the twist about the centroid of the contact points, m. The slack w is that
-    /// component of `Σ G_i F_i + W`, N, with a minus sign for the positive part and a plus sign for the negative. Rotations are multiplied by the
-    /// root mean square distance of the points from the centroid, moments divided by it.
+    /// The unknown z is the positive or negative part of a component of the object's twist about the centroid of the contact points, m. The slack w
+    /// is the same component, N, of the sum of the wrenches of all contact forces and the load. Its sign is reversed for the positive part.
+    /// Rotations are multiplied by the root mean square distance of the points from the centroid, moments divided by it.
     Balance {
         /// Index, from 0, of the component of the twist and of the equilibrium equation: translations first, then rotations.
         axis: usize,

@@ -32,8 +32,9 @@ impl PiecewiseFollower<'_> {
         if size > 0.0 { size } else { 1.0 }
     }
 
-    /// A scale of displacement, m: the deflection of the softest spring under the largest present force plus the change of the load. The largest
-    /// change of a contact spring's offset (command minus clearance and slip) is added. Both changes are per unit of the load factor.
+    /// A scale of displacement, m, the sum of a deflection and the largest change of a contact spring's offset (command minus clearance and slip). It
+    /// is the deflection of the softest spring under the sum of the largest present force and the change of the load. Both changes are per unit of
+    /// the load factor.
     fn springs_give(&self, point: &PathPoint) -> f64 {
         let sites = self.segment.grasp.sites();
         let softest = least(sites, &|site| site.springs.softest());

@@ -1,4 +1,5 @@
-//! Determines the kind of the end of a load path, from the state at this end, at which no rates of forces and motion satisfy the contact laws.
+//! Determines the kind of the end of a load path, from the state of the grasp at this end. There no rates of forces and motion satisfy the contact
+//! laws. Rates are derivatives along the path.
 
 use super::beyond::{Beyond, EquilibriumEnd, beyond_end, no_rates};
 use super::event::{Loss, LossKind, PathEnd};
@@ -29,8 +30,8 @@ pub(super) fn end_of_path(
     }
     let motions = leaving_motions(rates, &segment.trajectory.at(loss.fraction), &rates.yielding());
     let [mut motion, mut against] = motions.map_or([None, None], |motions| motions.each(Some));
-    // If no contact carries a force, the springs do not determine the motion with which the object leaves. That motion is then the motion of
-    // rigid bodies.
+    // If no contact carries a force, the springs do not determine the motion with which the object leaves. `rigid_motion` then computes the motion
+    // with which rigid bodies in its place would start to move.
     if let Some(rigid) = rigid_motion(rates) {
         motion = Some(rigid);
         if let SearchOutcome::Separating(v) = &settled {
@@ -56,7 +57,8 @@ pub(super) fn end_of_path(
 /// The object leaves by a motion that changes no contact force, and along which the load does work. The virtual motion is a motion along which no
 /// contact force of these states does work. Because of friction the two motions differ: for a block that slides to the right on a floor, the virtual
 /// motion also points upwards, at a right angle to the contact force. If rates exist in these states, both motions are the normalised twist rate.
-/// This twist rate is reversed if the slips in it, summed over contacts, would be opposite to the friction forces.
+/// Its sign is chosen so that contacts slip along their friction forces: it is reversed if the components of the slip rates along the friction
+/// forces have a negative sum over all contacts.
 pub(super) fn leaving_motions(rates: &Problem, load: &Vector, states: &[State]) -> Option<[Vector; 2]> {
     let linear_problem = LinearProblem::new(rates, states);
     let solved = match linear_problem.solve(rates.sites, &rates.offsets, &rates.wrench) {

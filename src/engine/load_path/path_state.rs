@@ -29,8 +29,8 @@ pub(super) fn forces_are_rounding(problem: &Problem<'_>, forces: &[SVector<f64, 
     largest <= ROUNDED_SUM * softest_spring_force(problem, twist)
 }
 
-/// The least force, N, that the displacements in the equilibrium would cause in the softest spring of a contact. Rounding errors of contact
-/// forces are proportional to this force, however small the contact forces are.
+/// The force, N, that the displacements of a contact in the equilibrium would cause in its softest spring; the least of these forces over all
+/// contacts. Rounding errors of contact forces are proportional to this least force, however small the contact forces are.
 pub(super) fn softest_spring_force(problem: &Problem<'_>, twist: &Vector) -> f64 {
     let spans = (0..problem.len()).map(|contact| problem.span(contact, twist));
     least_spring_force(problem.sites, spans)
@@ -115,8 +115,8 @@ impl Node {
         }
     }
 
-    /// Adds to the active set of each contact in `reached` the edge or apex of the cone that its force has reached, so that its sticking or sliding
-    /// ends there. A gap that has closed counts as the apex (zero force), since the contact starts without force.
+    /// Adds to the active set of each contact in `reached` the edge or apex of the cone that the contact's force has reached: there the contact stops
+    /// sticking or sliding. A gap that has closed counts as the apex (zero force), since the contact starts without force.
     pub(super) fn add_exits(&mut self, axes: usize, reached: &ExitsReached) {
         for (i, exits) in reached {
             self.active_sets[*i].add_exits(axes, &self.states[*i], exits);
@@ -201,9 +201,9 @@ impl Node {
         self.stopped.iter().find(leaves).copied().filter(|_| straight)
     }
 
-    /// Called when steps have become too short to advance. A force is treated as on the edge of its cone, and a gap as closed, if its distance from
-    /// the edge or the gap is at most 1e-8 ([`GATHERED_MARGIN`]) of the terms from which it is computed. Events nearer to each other than the error
-    /// of steps thus happen at one point of the path.
+    /// Called when steps have become too short to advance. A force counts as on the edge of its cone if its distance from the edge is at most 1e-8
+    /// ([`GATHERED_MARGIN`]) of the terms from which the force is computed. A gap counts as closed if it is at most this fraction of its own terms.
+    /// Events nearer to each other than the error of steps thus happen at one point of the path.
     ///
     /// Each gap that is neglected in this way, and each distance of a force from the edge of its cone, is divided by the size of its terms. Returns
     /// the largest of these ratios, which the caller adds to the error of the path. The caller then computes anew how the path continues. If nothing

@@ -8,9 +8,10 @@
 //! v = W + Σ G_i r_i,     0 <= r_n ⟂ n·G_iᵀv >= 0,     |r_t| <= μ r_n against G_iᵀv
 //! ```
 //!
-//! as if its mass matrix were the identity. This means unit mass, and a radius of gyration equal to the root mean square distance of the contacts
-//! from their centroid. Each r_i has a normal part r_n and a tangential part r_t, limited by the friction coefficient μ. n are normals and G_i grasp
-//! maps. Bonded contacts and links, which neither open nor slide, allow no displacement at their points.
+//! as if its mass matrix were the identity. G_iᵀv is the velocity of the contact point. The identity means unit mass, and a radius of gyration equal
+//! to the root mean square distance of the contacts from their centroid. Each r_i has a normal part r_n and a tangential part r_t, limited by the
+//! friction coefficient μ. n are normals and G_i grasp maps. Bonded contacts and links, which neither open nor slide, allow no displacement at their
+//! points.
 
 use super::tolerances::NO_RIGID_MOTION;
 use crate::contact::Law;

@@ -88,8 +88,8 @@ impl Slips<'_> {
         None
     }
 
-    /// The step that ends at the first event, where the value of condition `k` becomes zero; if another condition becomes zero earlier, at the zero
-    /// of that one. Also the index of the condition. `None` if thirty trials do not find the zero.
+    /// The step that ends at the first event, and the index of the condition whose value becomes zero there. This is condition `k`, or another
+    /// condition whose value becomes zero earlier. `None` if thirty trials do not find the zero.
     ///
     /// Each trial is a step that ends at the root of a cubic polynomial. This cubic has the values of condition `k`, and its derivatives with respect
     /// to arclength, at both ends of a bracket. As a rule the first trial is close enough.

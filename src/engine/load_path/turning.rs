@@ -180,14 +180,15 @@ impl<'g> PiecewiseFollower<'g> {
         point.lines.iter().zip(still).all(|(line, still)| line.rate.norm() <= still)
     }
 
-    /// Arclength of a step straight along the tangent of the path; `None` if the next step need not be straight. A straight step leads away from the
-    /// apex of a cone, where a friction force has no direction yet. It also leads to the point at which a normal force that is almost zero vanishes.
+    /// Arclength of a step straight along the tangent of the path; `None` if the next step need not be straight. A straight step is made in two
+    /// cases. It leads away from the apex of a cone, where a friction force has no direction yet. Or it leads to the point at which a normal force
+    /// that is almost zero vanishes.
     fn straight_length(&self, point: &PathPoint) -> Option<f64> {
         let rest = (1.0 - self.factor) / point.factor_rate;
         let last = point.lines.iter().zip(&self.node.states).filter_map(way_to_nothing);
-        // A normal force that is almost zero vanishes within the leg, or beyond its end by less than the rest of the leg. If beyond, one straight
-        // step to the end of the leg is made. A step of the integration might stop short of the end, and the normal force at the beginning of the
-        // next step would count as zero.
+        // A normal force that is almost zero may vanish within the leg: the straight step ends there. Or it would vanish beyond the end of the leg,
+        // by less than the rest of the leg: one straight step to the end of the leg is made. A step of the integration might stop short of this end,
+        // and the normal force at the beginning of the next step would count as zero.
         if let Some(way) = last.reduce(f64::min).filter(|way| *way < 2.0 * rest) {
             return Some(way.min(rest));
         }
@@ -268,7 +269,8 @@ impl<'g> PiecewiseFollower<'g> {
                 }
                 // At the end of a leg, a slip rate of zero does not matter, since the next leg has other rates.
                 _ if leg_done => {}
-                // If the load turns back here, all slips stop. The rates of the load slightly ahead then determine which contacts slide on.
+                // If the load turns back at this point of the path, all slips stop. The rates of the load just after this point then determine
+                // which contacts slide on.
                 _ if self.segment.load_turns_back(to) => stops = true,
                 _ => sticks.push(contact),
             }
@@ -290,8 +292,8 @@ impl<'g> PiecewiseFollower<'g> {
         }
         self.take_step(run, point, (end.length, end.rule), &end.reached);
         self.node.add_exits(self.segment.problem.space().axes(), &at_edge);
-        // If no other event happens at this point, the contacts whose slip has ended stick. Otherwise contacts that did not slip at all in the step
-        // are left out: the solution for the rates at the other event determines their states.
+        // If no other event happens at this point, all contacts in `sticks`, whose slip has ended, stick from now on. If there is another event, this
+        // holds only for contacts that slipped in the step; the solution for the rates at the other event determines the states of the others.
         for contact in sticks.iter().filter(|contact| at_edge.is_empty() || !idle.contains(contact)) {
             self.node.stick(*contact);
         }
@@ -328,8 +330,8 @@ impl<'g> PiecewiseFollower<'g> {
 /// vanishes. `None` for any other contact.
 fn way_to_nothing((line, state): (&Line, &State)) -> Option<f64> {
     let falls = state.slides() && line.rate[0] < -ZERO_SLACK * line.rate_size;
-    // Once a decreasing normal force is below this fraction of the terms whose sum it is, it is followed to zero along the tangent: it no longer
-    // determines the direction of friction, which further integration would need.
+    // A decreasing normal force below this fraction of the terms whose sum it is determines the direction of friction no longer, which further
+    // integration would need. Such a force is followed to zero along the tangent of the path.
     let little = falls && line.force[0] > 0.0 && line.force[0] <= 1e-10 * line.force_size;
     little.then(|| line.force[0] / -line.rate[0])
 }

@@ -1,5 +1,5 @@
-//! A contact with Tresca friction, whose limit, in N, is independent of the normal force: its force at a stretch of its springs, and its tangent
-//! stiffness.
+//! Force and tangent stiffness of a contact with Tresca friction, as functions of the stretch (deformation plus slip) of its springs. The limit of
+//! Tresca friction, N, is independent of the normal force.
 
 use nalgebra::{SMatrix, SVector};
 

@@ -9,8 +9,8 @@
 //! Σ (φ_i·v_i + (G_iᵀy)·F_i)  =  Σ φ_i·a_i - y·W  >  0
 //! ```
 //!
-//! holds for every q; that the right side is positive is checked. If, under the labels of the case, no contact's term on the left side can be
-//! positive, the case has no equilibrium. In the elastic trial state every contact sticks.
+//! would hold for every q; the check of a proof verifies that the right side is positive. If, under the labels of the case, no contact's term on the
+//! left side can be positive, the case has no equilibrium. In the elastic trial state every contact sticks.
 
 use crate::numerics::{IntoList, Vector};
 use nalgebra::SVector;
@@ -34,7 +34,7 @@ pub(crate) enum ProofStep {
 
 /// Checks a proof without searching. The proof may miss an equilibrium because of rounding. Returns a lower bound of the ratio of the size of such an
 /// equilibrium to the size of the elastic trial state. A size is the norm of stretches and forces in energy units (√J). `None` if the steps omit a
-/// case, or contradict a case by less than the factor [`ESCAPE`].
+/// case or do not contradict it, or if the lower bound is below [`ESCAPE`].
 pub(crate) fn check(problem: &Problem, steps: &[ProofStep]) -> Option<f64> {
     let trial = problem.trial();
     let state = trial.solve(problem.sites, &problem.offsets, problem.load()).ok()?;

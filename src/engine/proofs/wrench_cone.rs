@@ -11,9 +11,10 @@
 //! positive work along v). Stiffness, commands and history play no part in this. A separation is **clear**, beyond rounding, under two conditions.
 //! |v| exceeds 1e-9 of the load, and an equilibrium that rounding hides from the proof would have forces of at least 1e4 times load and commands.
 //!
-//! A round cone has infinitely many generators. But the generator that does the most negative work along a motion v is known: with u = G_iᵀv it lies
-//! along `e_n - μ u_t/|u_t|`. This generator is added to the generators of the sum. The sum is then minimised again, until no generator does negative
-//! work along the residual. In the engine's coordinates moments and rotations refer to the centroid of the contacts.
+//! A round cone has infinitely many generators. But the generator that does the most negative work along a motion v is known. With the grasp map G_i
+//! of its contact, the contact point moves by u = G_iᵀv, along the tangents by u_t. The generator then lies along `e_n - μ u_t/|u_t|`, with the unit
+//! normal e_n and the friction coefficient μ. This generator is added to the generators of the sum. The sum is then minimised again, until no
+//! generator does negative work along the residual. In the engine's coordinates moments and rotations refer to the centroid of the contacts.
 
 use nalgebra::SVector;
 
@@ -75,9 +76,9 @@ pub(crate) fn nearest_forces(
     // Generators of round cones that have been added to the sum. `nearest` identifies each generator by a number, its tag; their tags follow those of
     // `straight`.
     let mut joined: Vec<Generator> = Vec::new();
-    // Upper limit of the number of generators that are added: two hundred, and four more for each coordinate; above `MOST_COORDINATES` coordinates
-    // only two hundred. The limit is reached rarely, if the target is near the boundary of the sum of round cones: each new generator then reduces
-    // the distance only by a constant factor.
+    // Upper limit of the number of generators that are added: two hundred, and four more for each coordinate of a motion; above `MOST_COORDINATES`
+    // coordinates only two hundred. The limit is rarely reached. It is reached if the target is near the boundary of the sum of all round cones: each
+    // new generator then reduces the distance from the target only by a constant factor.
     let each = if size.count() <= MOST_COORDINATES { 4 } else { 0 };
     let mut joins_left = 200 + each * size.count();
     let (motion, negative_work) = loop {
@@ -140,9 +141,9 @@ impl<'p, 'g> LoadAndCones<'p, 'g> {
         self.is_proof(&v).then(|| v.normalize())
     }
 
-    /// Whether a motion separates the load from all admissible contact forces, clearly beyond rounding. The motion may come from any method: its norm
-    /// must exceed the fraction [`CLEAR_RESIDUAL`] of the load. An equilibrium that rounding hides must have forces of at least [`ESCAPE`] times load
-    /// and commands.
+    /// Whether the motion v separates the load from all admissible contact forces, clearly beyond rounding. The method that found v does not matter.
+    /// The norm of v must exceed the fraction [`CLEAR_RESIDUAL`] of the norm of the load. An equilibrium that rounding hides must have forces of at
+    /// least [`ESCAPE`] times load and commands.
     fn is_proof(&self, v: &Vector) -> bool {
         let mut negative_work = 0.0_f64;
         self.straight.iter().for_each(|g| negative_work = negative_work.max(g.works_against(v)));

@@ -1,7 +1,8 @@
 //! Limits that several methods of the search for an equilibrium share: numbers of contacts, covering vectors and multiplications.
 
-/// If Lemke's method ends on a ray, it runs again with another covering vector (the vector along which it starts), at most this many times. The
-/// number holds if all combinations of contact states can be tried afterwards. Each run costs as much as the first.
+/// If Lemke's method ends on a ray, it runs again with another covering vector (the vector along which it starts), at most this many times. This
+/// limit is used on the round cone, and if all combinations of contact states can be tried afterwards. In other searches the limit is 16. Each run
+/// costs as much as the first.
 ///
 /// If smaller, equilibria that a second run finds are missed; if larger, a search that fails takes longer.
 pub(super) const COVERING_VECTORS: usize = 3;

@@ -164,7 +164,7 @@ impl Sheet {
 
 /// Width and height of a text with its background, pixels.
 pub(super) fn plaque_size(words: &str, size: f64) -> (f64, f64) {
-    // Hardly a letter of a sans serif font is wider than 0.57 of its font size.
+    // In a sans serif font hardly any letter is wider than 0.57 times the font size.
     (0.57 * size * words.chars().count() as f64 + 4.0, 1.24 * size)
 }
 

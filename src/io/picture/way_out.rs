@@ -56,8 +56,8 @@ impl MovedOutlines {
         &self.to
     }
 
-    /// Paints the moved outlines with arrows, and returns the position on paper of the point that has moved farthest, beside which the name is
-    /// written; `None` without points.
+    /// Paints the moved outlines, and arrows along the motion. Returns the position on paper of the point that has moved farthest: the caller writes
+    /// a label beside this point. `None` without points.
     pub(super) fn paint(
         &self,
         painting: &mut Painting,

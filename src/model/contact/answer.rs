@@ -41,8 +41,9 @@ impl ContactResponse {
 }
 
 impl LocalLaw<'_> {
-    /// State and force of the contact at a stretch, m. The contact has the round cone, or a force on an edge of its cone ([`Law::Edge`]), which a
-    /// single facet limits. The iteration for the slip per force λ starts at `near`: λ at a nearby stretch, or zero.
+    /// State and force of the contact at a stretch, m. The friction of a contact with the round cone is limited by this cone. If the force is on an
+    /// edge of its cone ([`Law::Edge`]), a single facet limits the friction. The iteration for the slip per force λ starts at `near`: λ at a nearby
+    /// stretch, or zero.
     pub(crate) fn answer(&self, stretch: &SVector<f64, 3>, near: f64) -> ContactResponse {
         let mut force = self.springs.force(stretch);
         let sticking = ContactResponse { state: Mode::Sticking, force };
@@ -188,8 +189,8 @@ fn slip_per_force(springs: &Compliance, trial: &SVector<f64, 3>, traction: f64, 
         return springs.deflection_along(1, excess - 1.0);
     }
     let unit = trial / traction;
-    // A starting λ above 1e100 times the compliance of the stiffest spring is replaced by zero: squares would underflow, and Newton's steps could not
-    // return.
+    // A starting λ above 1e100 times the compliance of the stiffest spring is replaced by zero: squares of the softened stiffnesses would underflow,
+    // and Newton's steps could not lead back to the root.
     let mut lambda = if near * springs.stiffest() < 1e100 { near } else { 0.0 };
     // λ is at least 0 if the traction is at least r. For a shorter traction λ would be negative (slip against the friction force). Its lower bound is
     // then the λ at which the softer spring alone would have the force r. The bound must also exceed -1/k of the stiffer spring, where 1 + λk

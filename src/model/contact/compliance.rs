@@ -129,13 +129,14 @@ impl Compliance {
         [self.k[1].min(last), self.k[1].max(last)]
     }
 
-    /// The diagonal of `S = (K_t⁻¹ + λ)⁻¹`, zero along the normal: tangential springs in series with the slip per force λ.
+    /// The diagonal of `S = (K_t⁻¹ + λ)⁻¹`, N/m, with zero along the normal. K_t has the tangential stiffnesses, λ is the slip per friction force,
+    /// m/N. S is the stiffness of the tangential springs in series with this slip.
     #[inline(always)]
     pub(crate) fn softened(&self, lambda: f64) -> SVector<f64, 3> {
         by_axis(|a| if a == 0 { 0.0 } else { self.k[a] * self.softening(a, lambda) })
     }
 
-    /// Factor `1 / (1 + λ k)` by which a slip per force λ softens the spring of a tangential axis.
+    /// Factor `1 / (1 + λ k)` by which a slip per friction force λ, m/N, softens the spring of the stiffness k along a tangential axis.
     #[inline(always)]
     pub(crate) fn softening(&self, axis: usize, lambda: f64) -> f64 {
         1.0 / (1.0 + lambda * self.k[axis])

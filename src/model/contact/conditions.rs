@@ -1,6 +1,7 @@
 //! The inequalities that a state of a contact must satisfy. Each inequality has a size: the magnitude of its terms, to which its rounding error is
-//! proportional. Let u_c be the displacement of the contact point, n the normal, a the offset of the springs, i.e. their commanded displacement, and
-//! h the normal of a facet:
+//! proportional. Let u_c be the displacement of the contact point, n the normal, and a the offset of the springs, i.e. their commanded displacement.
+//! F_n and F_t are normal and tangential force, μ is the coefficient of friction. A polygonal friction cone has facets `h·F_t <= μ F_n` with the
+//! normals h; two facets meet at a corner. A contact slides on one facet, or at a corner on two ("its facets"):
 //!
 //! ```text
 //! open      gap = n·u_c - a_n                 >= 0
@@ -83,7 +84,8 @@ impl LocalLaw<'_> {
                 [Some([slip.dot(h) / h.norm(), 1.0]), None]
             }
             Mode::Corner(j) => {
-                // The slip is σ₁ h₁ + σ₂ h₂. Each σ is a quotient of cross products with the other normal.
+                // The slip is σ₁ h₁ + σ₂ h₂, with the normals h₁ and h₂ of the two facets that meet at the corner. Each σ is a quotient of cross
+                // products with the normal of the other facet.
                 let (h1, h2) = (facets[usize::from(*j)], facets[(usize::from(*j) + 1) % facets.len()]);
                 let turn = cross(&h1, &h2);
                 [
@@ -94,8 +96,8 @@ impl LocalLaw<'_> {
         }
     }
 
-    /// Calls `visit(margin, size)` with the friction margin `μ F_n - h·F_t` (N) at every edge of the cone, except the edges on which the contact
-    /// slides.
+    /// Calls `visit(margin, size)` for every facet of the cone on which the contact does not slide. For the facet normal h the friction margin
+    /// `margin` is `μ F_n - h·F_t`, N; its rounding error is proportional to `size`. A sticking contact with a round cone has a single margin.
     fn for_each_margin(
         &self,
         state: &State,

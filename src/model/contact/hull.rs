@@ -3,6 +3,7 @@
 //! A search proves that no equilibrium exists by dividing the states of the contacts into ever smaller sets. A label describes such a set of states
 //! of one contact. It fixes whether the contact is open or closed, whether it sticks or slides, and between which angles its friction points.
 //!
+//! The stretch v of a contact is the displacement of its finger less clearance and earlier slip, minus the displacement of the object at the contact.
 //! The contact law is positively homogeneous: with a stretch v and a force F it also allows every positive multiple of both. This remains true if a
 //! label restricts the states. Let K be the diagonal matrix of the contact's stiffnesses, K_t its tangential part, and μ the coefficient of friction.
 //! Let e_n be the unit normal, e_t a unit tangent along an axis, and p any unit tangent. In force units `ξ = K v`, the hull is spanned by pairs of ξ
@@ -102,7 +103,7 @@ impl Sector {
         self.to - self.from
     }
 
-    /// The least number of equal parts of the sector whose width is at most `most`, rad; 16 if more would be needed.
+    /// The least number of equal parts into which the sector must be divided for each part to be at most `most` wide, rad; never more than 16.
     fn pieces(&self, most: f64) -> u8 {
         (1..16).find(|k| self.width() <= most * f64::from(*k)).unwrap_or(16)
     }

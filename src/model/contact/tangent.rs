@@ -1,5 +1,6 @@
-//! The tangent stiffness C of one contact, as a sum of a few dyads. A change dv of the stretch changes the contact force by `dF = C dv`. K is the
-//! diagonal matrix of the stiffnesses, k_n the normal stiffness, e_n the unit normal, and μ the coefficient of friction.
+//! The tangent stiffness C of one contact, as a sum of a few dyads. The stretch v of a contact, m, is the displacement of its finger less clearance
+//! and earlier slip, minus the displacement of the object at the contact. A change dv of the stretch changes the contact force by `dF = C dv`. K is
+//! the diagonal matrix of the stiffnesses, k_n the normal stiffness, e_n the unit normal, and μ the coefficient of friction.
 //!
 //! ```text
 //! sticking    C = K

@@ -171,9 +171,9 @@ impl<const C: usize> Contact<C> {
         ///
         /// [`follow`](crate::ask::Grasp::follow), [`hold`](crate::ask::Grasp::hold), [`shake`](crate::ask::Grasp::shake) and the needs
         /// [`to_hold`](crate::need::Need::to_hold) and [`to_rest`](crate::need::Need::to_rest) take kinetic friction into account. The first slip
-        /// does not depend on kinetic friction. [`solve`](crate::ask::Grasp::solve) refuses an equilibrium in which such a contact slides.
-        /// [`follow_in_steps`](crate::ask::Grasp::follow_in_steps) refuses grasps with such a contact. All other questions of a grasp concern
-        /// contacts that do not slide.
+        /// does not depend on kinetic friction. [`solve`](crate::ask::Grasp::solve) refuses an equilibrium in which a contact with kinetic friction
+        /// slides. [`follow_in_steps`](crate::ask::Grasp::follow_in_steps) refuses grasps with kinetic friction. All other questions of a grasp
+        /// concern contacts that do not slide.
         ///
         /// ```
         /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
@@ -243,12 +243,13 @@ impl<const C: usize> Contact<C> {
         self.friction = mu;
     }
 
-    /// Number of axes along which the contact has a spring: 1 without friction, otherwise all axes.
+    /// Number of axes along which the contact has a spring: 1 (the normal) for μ = 0 unless the contact is bonded, otherwise all axes.
     pub(crate) fn springs(&self) -> usize {
         if self.friction == 0.0 && self.hold != Hold::Bonded { 1 } else { self.space.axes() }
     }
 
-    /// Name of the contact in tables and pictures: the name that the user gave, or "contact" and `index`, its position in the list.
+    /// Name of the contact in tables and pictures: the name that the user gave, or "contact" and `index`, its position from 0 in the list of
+    /// contacts.
     #[must_use]
     pub fn label_text(&self, index: usize) -> String {
         self.label(index).text()

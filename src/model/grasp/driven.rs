@@ -90,7 +90,8 @@ impl Engine {
     }
 
     /// Commands of all contact points. The list `rows` has one command for each point, or one for each contact that is not a link. In the second case
-    /// all points of a soft fingertip get the command of the fingertip. The point of a link with the index i then gets `links(i)`.
+    /// all points of a soft fingertip get the command of the fingertip. A point that belongs to a link then gets `links(i)`, where i is the index of
+    /// the point among all points.
     ///
     /// # Errors
     /// [`Error::Size`] for another number of commands; [`Error::Contact`] for a number that is not finite.

@@ -10,8 +10,8 @@ use crate::prelude::*;
 use crate::sweep::{Reserve, Uncertainty};
 
 impl<const C: usize> Grasp<C> {
-    /// The loads up to which all contacts stick although the data are uncertain, with a reserve of `sigmas` standard deviations. The load has any
-    /// direction and acts in addition to a base load; [`Reserve::along`] returns the largest such multiple of a given load.
+    /// The loads up to which all contacts stick although the data are uncertain, with a reserve of `sigmas` standard deviations. A load may have any
+    /// direction, and acts in addition to the base load. [`Reserve::along`] returns the largest multiple of a load with which all contacts so stick.
     ///
     /// Up to this load, at most the fraction Φ(-`sigmas`) of all grasps with such data has a contact that slides: 0.00135 for three deviations. Φ is
     /// the normal distribution function. Every contact counts, not only the contact that slides first. Contact forces are computed beyond first order

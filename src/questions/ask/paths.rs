@@ -56,9 +56,9 @@ impl<const C: usize> Grasp<C> {
 
     /// Follows a load program in steps from the equilibrium under `start`, for any number of contacts on the round cone, such as a patch under shear
     /// and torsion. `error` is the estimated error that one leg may add to the contact forces, relative to the largest of them, such as 1e-5. A step
-    /// costs a few passes over all contacts, with the same result for any number of threads. The length of a step is proportional to the square root
-    /// of `error`. Suction cups keep their vacuum even if their lips open. A path in steps ends as soon as nothing resists the object any more. See
-    /// [`SteppedPath`].
+    /// costs a few passes over all contacts. The result is the same for any number of threads. The length of a step is proportional to the square
+    /// root of `error`. Suction cups keep their vacuum even if their lips open. A path in steps ends as soon as nothing resists the object any more.
+    /// See [`SteppedPath`].
     ///
     /// If no step continues the path, its end is either [lost](crate::load_path::PathEnd::Lost) or [undecided](crate::load_path::PathEnd::Undecided).
     /// It is lost if the speed of the object, per unit of load, grows without bound towards the end. It is also lost if no rates of forces and motion

@@ -3,8 +3,8 @@
 //! Let K be the stiffness, a the offsets of the contacts, G the grasp map and q the motion of the object. The offset is the command (displacement of
 //! the finger without the object) less the clearance. A = K^{1/2}Gᵀ has an orthogonal factor Q and a triangular factor R, A = QR, and Π = QQᵀ. Energy
 //! coordinates x = K^{-1/2} F replace the contact forces F. The state in which everything sticks has the motion q⁰ and, in these coordinates, the
-//! forces x⁰ = K^{1/2}(a - Gᵀq⁰). Scaled gaps ĝ = √k_n g, with the gaps g and normal stiffnesses k_n, act along the columns of E. The rows of the
-//! friction constraints N x >= 0 have unit length. The quadratic program is
+//! forces x⁰ = K^{1/2}(a - Gᵀq⁰). Scaled gaps ĝ = √k_n g, with the gaps g and normal stiffnesses k_n, act along the columns of E. The friction
+//! constraints are N x >= 0 with a matrix N whose rows have unit length; in this file newtons are never written as N. The quadratic program is
 //!
 //! ```text
 //! minimise ½|p|² - pᵀQᵀE ĝ + ½|ĝ|² + x⁰ᵀE ĝ      x = x⁰ - Q p + E ĝ,   p = R (q - q⁰)
@@ -85,8 +85,8 @@ impl<'g> EnergyProgram<'g> {
         self.gaps.iter().chain(&self.friction)
     }
 
-    /// The vector of the linear complementarity problem: the left sides of the gap conditions, then of the friction constraints. `stuck` are the
-    /// contact forces if everything sticks, N.
+    /// The vector of the linear complementarity problem, in the notation of the head of this file: Eᵀx⁰ for the gaps, then N x⁰ for the friction
+    /// constraints. `stuck` are the contact forces if everything sticks, in newtons.
     pub(super) fn vector(&self, stuck: &[SVector<f64, 3>]) -> DVector<f64> {
         values(self.rows(), stuck)
     }
@@ -139,7 +139,7 @@ impl<'g> EnergyProgram<'g> {
         axis_springs(self.problem.sites, &|contact, axis| axis > 0 || !faces.open[contact])
     }
 
-    /// The candidate for the minimum in which everything sticks, from its forces and motion.
+    /// The candidate for the minimum with all contacts sticking; `stuck` has its forces and motion.
     pub(super) fn sticking(&self, stuck: &ForcesAndTwist) -> ProgramPoint {
         ProgramPoint {
             forces: stuck.forces.clone(),
@@ -188,9 +188,10 @@ impl<'g> EnergyProgram<'g> {
         finite.then_some(ProgramPoint { forces, twist, gaps, multipliers, free })
     }
 
-    /// Makes the binding friction constraints hold as equalities, N x = 0. On entry `forces` balance the load without regard to these constraints (x'
-    /// in energy coordinates); on return they satisfy them. `multipliers` receive the multipliers λ. Returns the change of the motion q as p = R q,
-    /// with the triangular factor R of the active springs. `None` if constraints are linearly dependent.
+    /// Makes the binding friction constraints hold as equalities: N x = 0, with the rows N of these constraints and the forces x in energy
+    /// coordinates. On entry `forces` balance the load without regard to the constraints (then x is x'); on return `forces` satisfy them.
+    /// `multipliers` receive the multipliers λ of the constraints. Returns the change of the motion q as p = R q, with the triangular factor R of the
+    /// active springs. `None` if constraints are linearly dependent.
     ///
     /// The normal springs of open gaps are removed. The normal component x_n at such a contact is determined by the multipliers λ alone,
     /// `x_n = (Nᵀλ)_n`. Let Q be the orthogonal factor of the active springs, N_n the columns of N for these normal components, and `M = [N Q, N_n]`.
@@ -252,7 +253,7 @@ impl<'g> EnergyProgram<'g> {
         Some(travelled)
     }
 
-    /// The forces of the multipliers on the object at each contact, in the contact frames, N.
+    /// The forces that the multipliers of the friction constraints exert on the object at each contact, in the contact frames, in newtons.
     pub(super) fn held_from_outside(&self, multipliers: &[f64]) -> Vec<SVector<f64, 3>> {
         let mut held = vec![SVector::zeros(); self.problem.len()];
         for (row, multiplier) in self.friction.iter().zip(multipliers) {
@@ -274,8 +275,9 @@ impl<'g> EnergyProgram<'g> {
         };
         let x_size = (0..problem.len()).map(x).fold(0.0, f64::max);
         let largest = point.multipliers.iter().fold(x_size, |most, l| most.max(l.abs()));
-        // `push - held`, N, is the multiplier of the condition that a gap is not negative. `push` is the normal force, `held` the normal component of
-        // the force that the friction multipliers exert. In energy coordinates the difference is `√k_n (x - Nᵀλ)_n`.
+        // `push - held`, in newtons, is the multiplier of the condition that a gap is not negative. `push` is the normal force, `held` the normal
+        // component of the force that the friction multipliers λ exert. In energy coordinates x the difference is `√k_n (x - Nᵀλ)_n`, with the matrix
+        // N of the friction constraints and the normal stiffness k_n.
         let held = self.held_from_outside(&point.multipliers);
         let gap_holds = |row: &ForceCondition| {
             let i = row.contact;

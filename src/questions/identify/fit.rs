@@ -94,8 +94,8 @@ impl Model<'_> {
 /// is not predicted, and the reason.
 type StartingFit = (Vec<f64>, Result<Linear, (usize, PredictionFailure)>);
 
-/// For each unknown, whether it may be multiplied in the search for starting values. These are coefficients of friction; if no friction is unknown,
-/// squeezes and carried forces (normal forces before the load grows).
+/// For each unknown, whether it may be multiplied by a factor in the search for starting values. True for coefficients of friction. If no friction is
+/// unknown, true for squeezes and carried forces (normal forces before the load grows).
 fn changing(model: &Model<'_>) -> Vec<bool> {
     let unknowns = &model.asked.unknowns;
     let has_friction = unknowns.iter().any(|unknown| unknown.kind == UnknownKind::Friction);
@@ -205,7 +205,7 @@ pub(super) fn fitted_from(model: &Model<'_>, begin: Vec<f64>, linear: Linear) ->
 
 /// Returns `fit`, or another fit that explains the slips as well. If a single slip determines an unknown, its observed load may be low by scatter
 /// alone. The search is therefore repeated with this unknown doubled, so that its contact slips first in no observation. The new fit is returned
-/// unless `fit` is better at 95 %. The test picks the lowest of all slips, so its level is corrected for their number (Bonferroni).
+/// unless `fit` is better at 95 %. Any of the slips may be low by scatter, so the level of the test is corrected for their number (Bonferroni).
 fn loosened(model: &Model<'_>, mut fit: Fitted) -> Result<Fitted, Error> {
     let probability = 1.0 - 0.05 / model.asked.slips.len() as f64;
     for unknown in 0..fit.logs.len() {

@@ -30,8 +30,8 @@
 //! **Start.** The search starts at the given values of the unknowns. At these values the model may not predict some slip: the object holds any load,
 //! or is lost at once. Then all unknown friction is halved or doubled, in at most twelve trials, until all slips are predicted. The same is tried if
 //! a predicted load differs from the observed one, but does not depend on friction: the model predicts that a box tips, while in fact it slid. If
-//! nothing but the load of a slip presses on the contacts, the component of this load along the normals acts from the start, and only the rest grows.
-//! An example is an object that is dragged over a table: it lies on the table first.
+//! nothing but the load of a slip presses on the contacts, the component of this load along the normals acts from the start. Only the other
+//! components of the load grow. An example is an object that is dragged over a table: it lies on the table first.
 //!
 //! **Which contact slips first.** Between two jaws the weaker one slips first, so that a slip depends on the friction of one jaw alone. Which jaw
 //! this is may depend on the start of the search. Therefore pairs of unknowns of one kind exchange their values at the solution, and the search is

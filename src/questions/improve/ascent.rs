@@ -226,8 +226,9 @@ impl AscentProblem<'_> {
         Ok(numbered(idle.len(), &is_left_open))
     }
 
-    /// Load factor zero, if the given grasp holds the base load without sliding but a contact touches without force. Such a contact slides under an
-    /// arbitrarily small load. `None` if a contact slides or has a gap under the base load, or if no contact touches without force.
+    /// Returns zero as the load factor of first slip if the given grasp holds the base load without sliding, but a contact touches without force.
+    /// Such a contact slides under an arbitrarily small load. `None` if a contact slides or has a gap under the base load, or if no contact touches
+    /// without force.
     fn slips_at_once(&self) -> Result<Option<f64>, Error> {
         let outcome = self.grasp.solve(self.loaded.base)?;
         let Some(equilibrium) = outcome.equilibrium() else { return Ok(None) };
@@ -287,8 +288,8 @@ impl AscentProblem<'_> {
                         (curvature, radius) = (Curvature::flat(n), first_radius.min(radius * 1e3));
                         continue;
                     }
-                    // With several parts, a load closes an idle contact. The friction force of this contact is computed as if it had stuck from the
-                    // start, although it moves freely until it closes. So the multipliers prove no optimum.
+                    // With several `parts`, a load closes an idle contact. The friction force of this contact is computed as if the contact had
+                    // stuck from the start, although it moves freely until it closes. So the multipliers prove no optimum.
                     if arrived && design.parts.len() > 1 {
                         return ended(design, SearchEnd::Stalled, steps, None);
                     }
@@ -320,8 +321,8 @@ impl AscentProblem<'_> {
         }
     }
 
-    /// Returns the quadratic program of a step. Its last constraints keep contacts on their surface, segment or triangle. The second list has the
-    /// index of the contact for each of these constraints.
+    /// Returns the quadratic program of a step, and a list of indices of contacts. The last constraints of the program keep contacts on their
+    /// surface, segment or triangle. For each of these constraints, the list has the index of its contact.
     fn program(
         &self,
         design: &EvaluatedDesign,
@@ -365,8 +366,9 @@ impl AscentProblem<'_> {
     }
 }
 
-/// The decrease, over the last step, of the gradient of the Lagrangian with respect to the variables, for the multipliers of the last step. The
-/// Lagrangian includes sticking conditions under loads and limits of normal forces, but not sticking under the base load.
+/// The gradient of the Lagrangian before the last step minus the gradient after this step. Both are with respect to the variables (places and
+/// squeezes), with the multipliers of the last step. The Lagrangian includes sticking conditions under loads and limits of normal forces, but not
+/// sticking under the base load.
 fn gradient_decrease(
     old: &LastStep,
     (events, bounds): (&[SlipEvent], &[Constraint]),

@@ -34,8 +34,8 @@ pub(super) struct StickingForces {
     pub(super) grasp: Grasp<3>,
     /// For each contact whether it is left open: it touches without force and counts as open.
     pub(super) open: Vec<bool>,
-    /// Indices of the loads whose sticking conditions are evaluated with these forces. Other loads close some of the open contacts, and have forces
-    /// of their own.
+    /// Indices of the loads whose sticking conditions are evaluated with these forces. Any other load closes some of the open contacts: its forces
+    /// are in another [`StickingForces`], in which these contacts are closed.
     pub(super) judged: Vec<usize>,
     sources: Vec<ForcesAndTwist>,
     /// For each source and contact the closing force, N, by which the source would press an open contact (see [`Self::by`]). Zero unless the contact

@@ -34,8 +34,8 @@ pub(super) const ROUNDED_MULTIPLIER: f64 = 1e-7;
 /// contact on the surface.
 pub(super) const OFF_THE_SURFACE: f64 = 1e-6;
 
-/// A contact is at its limit at rest if it uses all but this part of its friction.
+/// A contact is at its friction limit under the base load if it uses all but this fraction of its friction. The answer then has a caution.
 ///
-/// If smaller, a grasp is offered without a caution although six printed digits of its places lose it. If larger, the caution stands beside grasps that
-/// have friction left.
+/// If smaller, a grasp gets no caution although it slides once its places are rounded to the six digits that are printed. If larger, grasps that have
+/// friction left get a caution, too.
 pub(super) const AT_ITS_LIMIT: f64 = 1e-4;

@@ -18,8 +18,9 @@ impl<const C: usize> Grasp<C> {
     ///
     /// The amount is in the unit of the sought [`Quantity`](super::Quantity); it may be the [`Amount::bound`](super::Amount::bound) of an answer. The
     /// use of friction is the largest `|f_t| / (|f_t| + margin)` of closed contacts, with the friction force f_t and the friction margin
-    /// `μ f_n - |f_t|`. For a load that turns, the equilibria at 180 equal steps of the turn and at its end are compared. If an angle is sought, the
-    /// equilibrium at the end of the turn is returned. `None` if no load is held.
+    /// `μ f_n - |f_t|`. The rotation of a load that turns is divided into 180 equal steps, and the equilibria at both ends of every step are
+    /// compared. If an angle is sought, the load turns by the angle `amount`, and the equilibrium at this angle is returned. `None` if no load is
+    /// held.
     ///
     /// ```
     /// use grasp_lcp::need::Need;
@@ -41,8 +42,8 @@ impl<const C: usize> Grasp<C> {
 }
 
 impl Need<3> {
-    /// Sets the amount. Returns the grasp, and its equilibrium under that load of the question which makes a contact use the largest fraction of its
-    /// friction. `None` if no load is held.
+    /// Returns a copy of the grasp `given` in which the sought quantity has the value `amount`. Also returns the equilibrium of this copy under that
+    /// load of the question which makes a contact use the largest fraction of its friction. `None` if no load is held.
     fn set_on(&self, given: &Grasp<3>, amount: f64) -> Result<Option<(Grasp<3>, Equilibrium<3>)>, Error> {
         let grown = self.growing(given)?;
         let posed = self.posed(given.space())?.on(&grown)?;
@@ -68,11 +69,12 @@ impl Need<3> {
                 let turn = loading.multiplied_turn(turn);
                 let mut path = grasp.follow(turn.load_at(0.0), &[Leg::turn(&turn)])?;
                 path.run();
-                // If an angle is sought, the turn ends at this angle, and the equilibrium at its end is returned.
+                // If an angle is sought, the load turns by the angle `amount`, and the equilibrium at this angle is returned.
                 if matches!(posed.sought, Sought::Angle { .. }) {
                     return Ok(path.state().map(|state| (grasp.with(given.settings()), state)));
                 }
-                // With fewer than 180 steps of the turn, the angle at which most friction is used could be missed; each step costs an equilibrium.
+                // The rotation of the load is divided into 180 steps, each of which costs an equilibrium. Fewer steps could miss the angle at which
+                // most friction is used.
                 let on_the_way = (0..180_u32).map(|k| path.state_at(0, f64::from(k) / 180.0));
                 on_the_way.chain([path.state()]).list()
             }

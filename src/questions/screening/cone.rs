@@ -1,4 +1,8 @@
 //! The friction cone of one contact, and the load factors at which a contact force that is linear in the load factor crosses it.
+//!
+//! τ is the load factor, by which the growing load is multiplied. F_n is the normal part and F_t the tangential part of the contact force. The scaled
+//! forces are `n = α F_n` and `t = β F_t`, with the numbers α and β of a [`StickingCone`]; the contact sticks while `n >= |t|`. A prime is the
+//! derivative with respect to τ.
 
 use super::finger::Force;
 use super::lanes::{Packed, dot};
@@ -40,8 +44,9 @@ impl<X: Packed> StickingCone<X> {
     }
 }
 
-/// The contact force `F + τ F'` as a line in the load factor τ, and a round friction cone. Let n and t be `α F_n` and `β F_t` as in [`StickingCone`].
-/// The line crosses the cone, or its mirror image at the apex, at the roots of
+/// The contact force `F + τ F'` as a line in the load factor τ, and a round friction cone. Let `n = α F_n` and `t = β F_t` be the scaled normal and
+/// friction force at τ = 0, n' and t' their derivatives with respect to τ. The line crosses the cone, or the mirror image of the cone at its apex, at
+/// the roots of
 ///
 /// ```text
 /// c + 2 b τ - a τ² = 0,   c = n² - |t|²,   b = n n' - t·t',   a = |t'|² - n'²,   Δ = b² + a c = |n t' - n' t|² - |t × t'|²
@@ -51,7 +56,8 @@ impl<X: Packed> StickingCone<X> {
 pub(super) struct Crossing<X: Packed> {
     /// The margin `n - |t|` of the contact, N, at load factor τ = 0: `n = α F_n` is the scaled normal force, `t = β F_t` the scaled friction force.
     pub(super) margin: X,
-    /// The rate `|t'| - n'` at which the margin decreases per unit of τ in the limit of large τ, N.
+    /// The decrease `|t'| - n'` of the margin `n - |t|` per unit of τ, N, in the limit of large τ. n' and t' are the derivatives of the scaled
+    /// forces.
     pub(super) closing: X,
     pub(super) a: X,
     pub(super) b: X,

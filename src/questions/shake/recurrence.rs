@@ -99,8 +99,8 @@ impl<'p> Recurrence<'p> {
         (self.combination(&weights), change)
     }
 
-    /// The sum of the states, multiplied by weights that add up to one. The sum is an equilibrium, because all states are equilibria under the same
-    /// load. The conditions of equilibrium are linear while the events are the same.
+    /// The weighted sum of the states `places`; the weights add up to one. The sum is an equilibrium, because all states are equilibria under the
+    /// same load, and the conditions of equilibrium are linear while the events are the same.
     fn combination(&self, weights: &[f64]) -> CycleState {
         let from = &self.places[self.places.len() - 1];
         let mut sum = from.clone();
@@ -137,8 +137,8 @@ fn power_and_sum(a: &DMatrix<f64>, n: usize) -> (DMatrix<f64>, DMatrix<f64>) {
 }
 
 impl CycleState {
-    /// The forces and gaps of this state in units of `scale`, and 1 for each contact with kinetic friction, else 0. Gaps of contacts for which
-    /// `aside` returns true are replaced by zero.
+    /// The forces and gaps of this state in units of `scale`. If the grasp has kinetic friction, then for each contact 1 if it slides with its lower
+    /// kinetic friction, else 0. Gaps of contacts for which `aside` returns true are replaced by zero.
     pub(super) fn numbers(&self, scale: &CycleUnits, aside: &dyn Fn(usize) -> bool) -> DVector<f64> {
         let mut numbers = Vec::new();
         for force in &self.forces {

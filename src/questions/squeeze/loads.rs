@@ -19,7 +19,7 @@ pub enum Loads<const C: usize> {
         base: Wrench<C>,
         /// The size of the force, N, at least zero.
         size: f64,
-        /// The point at which the force acts, m, in coordinate axes.
+        /// The point at which the force acts, m, in the coordinates of the grasp.
         point: [f64; C],
     },
     /// A load that turns: each load from angle zero to the last angle of the turn, or through a full turn if no last angle is given.

@@ -1,4 +1,5 @@
-//! The budget, i.e. the upper limits of normal forces, with which wrenches are possible. The scale in which moments are compared with forces.
+//! A [`Budget`] has the upper limits of normal forces, and so determines which wrenches the contacts can exert. A [`WrenchScale`] determines how
+//! moments are compared with forces.
 
 use nalgebra::SVector;
 

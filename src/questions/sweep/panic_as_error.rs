@@ -1,5 +1,5 @@
-//! Conversion of a panic during the answer for one item into an error of that item; all other items are still answered. A panic is a fault of this
-//! library.
+//! Turns a panic in the answer for one item, such as a grasp of a sweep, into an error of that item. All other items are still answered. A panic is a
+//! fault of this library.
 
 use super::in_order::map_in_order;
 use crate::error::Error;
@@ -24,7 +24,8 @@ pub(crate) fn caught<R>(ask: &dyn Fn() -> Result<R, Error>) -> Result<R, Error> 
     )
 }
 
-/// Runs `work` and returns the message of its panic; `None` without a panic. The other version, without the standard library, catches no panic.
+/// Runs `work` and returns the message of its panic; `None` without a panic. The version of this function for builds without the standard library
+/// catches no panic.
 #[cfg(feature = "std")]
 pub(crate) fn fault_in(work: &mut dyn FnMut()) -> Option<String> {
     let panic = std::panic::catch_unwind(std::panic::AssertUnwindSafe(work)).err()?;

@@ -36,11 +36,12 @@ face_of_struct! {
 }
 
 impl<const C: usize> Reserve<C> {
-    /// The largest multiple of this load, from 0, such that all contacts keep sticking if the load is added to the base load. The required number of
-    /// standard deviations stays in reserve. Infinite if there is no largest multiple; NaN if the equilibrium under the base load is undecided.
+    /// The largest multiple x >= 0 of the load `direction` for which all contacts keep sticking under the base load plus x times `direction`, with
+    /// the required number of standard deviations in reserve. Infinite if there is no largest multiple; NaN if the equilibrium under the base load is
+    /// undecided.
     ///
-    /// Zero if a contact slides under the base load, or stops sticking under it with more than the allowed probability. Contacts that are open under
-    /// the base load fail as soon as they close, because later events are not computed.
+    /// Zero if a contact slides under the base load, or stops sticking under it with more than the allowed probability. A contact that is open under
+    /// the base load counts as a failure as soon as it closes, because later events are not computed.
     #[must_use]
     pub fn along(&self, direction: &Wrench<C>) -> f64 {
         match &self.rest {

@@ -1,7 +1,7 @@
-//! Accuracies of the load factors and failure probabilities of a reserve: the load up to which all contacts stick with a required probability. A
-//! facet is a plane that bounds a friction cone, or touches a round one; it fails if its margin is negative. The point of failure is the smallest set
-//! of data errors at which the margin vanishes. The interaction of errors is the change of a force due to all errors together, less the sum of the
-//! changes due to single errors.
+//! Accuracies of the load factors and failure probabilities in the search for a reserve. A reserve is the load up to which all contacts stick with a
+//! required probability. A facet is a plane that bounds a friction cone, or touches a round one; it fails if its margin is negative. The point of
+//! failure is the smallest set of data errors at which the margin vanishes. The interaction of errors is the change of a force due to all errors
+//! together, less the sum of the changes due to single errors.
 
 /// Relative accuracy of the load factor at which the failure probability equals the allowed one.
 ///
@@ -11,15 +11,16 @@ pub(super) const PRECISE_FACTOR: f64 = 1e-8;
 
 /// Number of directions around a round cone that are compared to find the direction that most probably fails.
 ///
-/// The integral around the direction found extends at least to its neighbours on both sides, so that it contains the true worst direction. Fewer
-/// directions can miss the worst direction; each further direction costs a search.
+/// The failure probability of a round cone is an integral over directions. The interval of integration extends from the direction found at least to
+/// the next compared direction on either side, so it contains the true worst direction. Fewer directions can miss the worst direction; each further
+/// direction costs a search.
 pub(super) const AROUND_A_CONE: usize = 16;
 
 /// Lower limit of the terms (a diagonal entry, a determinant) that describe how a margin curves, and by which its failure probability is corrected to
 /// second order.
 ///
-/// For smaller terms the expansion about the point of failure no longer describes the margin. If smaller, corrected probabilities may become far too
-/// large, so that no reserve is left. If larger, frequent failures are taken as rare.
+/// Where a term is below this limit, the expansion about the point of failure no longer describes the margin; the limit replaces the term. With a
+/// smaller limit, corrected probabilities may become far too large, so that no reserve is left. With a larger limit they may become far too small.
 pub(super) const LEAST_CURVED: f64 = 0.1;
 
 /// Fraction by which the allowed failure probability is reduced, because some effects of the interactions of data errors are neglected.

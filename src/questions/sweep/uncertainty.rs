@@ -51,9 +51,9 @@ pub struct Uncertainty {
     /// Standard deviation σ of the logarithm of the stiffness. One random factor multiplies all stiffnesses of a contact: all axes, of object and
     /// finger.
     pub stiffness: f64,
-    /// Standard deviation σ of the logarithm of the squeeze. The squeeze of a contact is its command, constant force and vacuum; of a link its tension
-    /// without load. That of a joint or tendon is its command and its constant torque or tension. Overlaps (negative clearances) and loads of bodies
-    /// are exact.
+    /// Standard deviation σ of the logarithm of the squeeze. The squeeze of a contact is its command, constant force and vacuum. The squeeze of a
+    /// link is its tension without load. The squeeze of a joint or tendon is its command and its constant torque or tension. Overlaps (negative
+    /// clearances) and loads of bodies are exact.
     pub squeeze: f64,
     /// Standard deviation σ of the contact points along each coordinate axis, m. It must be zero for a grasp with joints or of several bodies.
     pub position: f64,

@@ -1,5 +1,5 @@
-//! The question for one direction of a map (at which force in this direction the first contact slips) and its answer. Also the base load of a map, a
-//! constant load that acts in addition.
+//! The question for one direction of a map, and its answer: at which force in this direction the first contact slips. The base load of a map is a
+//! constant load that acts in addition to this force.
 
 use grasp_lcp::Error;
 use grasp_lcp::load_path::{DepartingContact, Onset, Ramp};
@@ -51,7 +51,7 @@ pub(crate) fn weakest<const C: usize>(
     })
 }
 
-/// The grasp for questions in many directions: to save time, it never enumerates combinations of contact states.
+/// A copy of the grasp for questions in many directions. To save time, its questions never enumerate combinations of contact states.
 pub(crate) fn quick<const C: usize>(grasp: &Grasp<C>) -> Grasp<C> {
     grasp.with(&grasp.settings().with_most_states(0))
 }

@@ -1,6 +1,6 @@
 //! Errors of contact forces that a step made at once (in a single step of the same length) has in common with the same step made in two halves. The
-//! difference between both does not reveal these errors. Both assume that the twist and the stretches change along straight lines, in the whole step
-//! or in each half.
+//! difference between the two results does not reveal these errors. The step made at once assumes that the twist and the stretches change along one
+//! straight line, the step in two halves assumes one straight line in each half.
 //!
 //! Along a step of length h the true twist deviates from a straight line, in the middle by the twist `off`. Let a contact have the grasp map G,
 //! springs of stiffness K (k_n along the normal), the stretch v with the normal part v_n and the tangential part v_t, and the coefficient of friction
@@ -15,7 +15,8 @@
 //! if |s| < 1/4, i.e. the stop is nearer than half the length of a straight line
 //! ```
 //!
-//! The error is at most |c| / 32, a quarter of the force that the displacement `off` would cause in the springs. The same bound holds for the
+//! A straight line is here half a step long. The error is at most |c| / 32, a quarter of the force that the displacement `off` would cause in the
+//! springs. The same bound holds for the
 //! distance by which a sticking contact's force may have been outside its cone within the step. It also holds for the error of the force of an
 //! opening or closing contact.
 //!
@@ -44,8 +45,8 @@ impl StepProblem<'_> {
         }
         let made_of = |motion: Vector| site.springs.force(&site.map.tr_mul(&motion));
         let bend = made_of(&middle.twist - (&from.twist + &to.twist) * 0.5);
-        // The middle state shows how far the twist deviates from a straight line over the whole step. Over half a step, in the middle of the half,
-        // the deviation is a quarter of that.
+        // The middle state shows how far the twist deviates from a straight line over the whole step. The deviation is quadratic in the length, so in
+        // the middle of half a step it is a quarter of that in the middle of the whole step.
         let off = 0.25 * bend.norm();
         let drawn = |a: &SteppedState, b: &SteppedState| {
             site.springs.force(&(self.change(i) * (b.fraction - a.fraction))) - made_of(&b.twist - &a.twist)
@@ -55,8 +56,8 @@ impl StepProblem<'_> {
             let turned = (began / tangential_norm(&began) - slide.direction).norm();
             // If a contact begins to slide within a half of the step, the derivative of the twist with respect to the load factor jumps there. The
             // twist then deviates from a straight line by up to twice its deviation in the middle. The error of the friction force is at most this
-            // deviation, as a force in the springs, times the angle by which the direction of slip turns. The friction force itself is a bound of the
-            // deviation that counts.
+            // deviation, as a force in the springs, times the angle by which the direction of slip turns. The deviation, as a force, is capped at the
+            // magnitude of the friction force: a turn by an angle changes the friction force by at most this magnitude times the angle.
             let most = (2.0 * bend.norm()).min(tangential_norm(&began));
             if turned > 0.0 { most * turned } else { 0.0 }
         };

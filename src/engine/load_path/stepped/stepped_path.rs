@@ -38,8 +38,8 @@ pub(crate) struct SteppedFollower<'g> {
     pub(super) error: f64,
     /// A second path, which makes each step at once where this path makes two halves. Its distance from this path measures the error of this path.
     pub(super) coarse: CoarsePath,
-    /// The largest error of a contact force in a step so far that both forms of the step, in two halves and at once, may have in common. It is
-    /// divided by the largest contact force of that step.
+    /// A step made in two halves and the same step made at once may have an error of a contact force in common, which their difference does not show.
+    /// This is the largest estimate of such an error in the steps so far, divided by the largest contact force of its step.
     pub(super) shared_error: f64,
     /// Sum of the relative changes of contact forces on the path so far. Each step adds the largest change of a contact force in the step, divided by
     /// the largest contact force at either end of the step.

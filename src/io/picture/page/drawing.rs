@@ -23,7 +23,7 @@ pub(super) struct Drawing<'p> {
     pub(super) centre: Vector3<f64>,
     /// Largest extent of contact points, outlines and fixtures along an axis, m; 1 m for a single point.
     pub(super) span: f64,
-    /// The span, or the distance from the centre to the farthest load if that is larger, m.
+    /// The size of the area that is drawn, m: the span, or the distance from the centre of the grasp to the farthest load if this is larger.
     pub(super) size: f64,
     /// Scale of forces, m/N.
     pub(super) force: f64,
@@ -106,8 +106,8 @@ impl<'p> Drawing<'p> {
         };
         let states = || page.frames.iter().filter_map(Frame::state);
         let loads = || page.frames.iter().filter_map(Frame::load).map(|load| drawing.load(load));
-        // If a load acts at a distance from the centre that exceeds the span of the grasp, the picture shows an area of this size. Arrows are scaled
-        // by it, too, so that they remain visible.
+        // If a load acts at a distance from the centre that exceeds the span of the grasp, the area that the picture shows is as large as this
+        // distance. The lengths of arrows are proportional to this size, too, so that arrows remain visible.
         let away = |load: LoadArrow| (load.at - drawing.centre).norm();
         let size = loads().map(away).fold(span, f64::max);
         let mut largest = drawing.largest(states());

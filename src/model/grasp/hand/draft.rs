@@ -19,7 +19,7 @@ pub(in crate::model::grasp) struct Assembly {
     pub(in crate::model::grasp) space: Space,
     pub(in crate::model::grasp) contacts: Vec<Contact<3>>,
     pub(in crate::model::grasp) motions: Vec<Columns>,
-    /// Joints of all fingers, then the slides of contacts with a constant force.
+    /// Joints of all fingers, then the slides of contacts with a constant force. Such a slide is a prismatic joint along the contact normal.
     pub(super) joints: Vec<Joint<3>>,
     /// Number of coordinates assigned so far to joints, drives and bodies; the coordinates of the object are not counted.
     pub(in crate::model::grasp) used: usize,
