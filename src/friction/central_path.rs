@@ -77,8 +77,8 @@ pub(super) fn follow<const C: usize>(
     // moves towards 1 whenever Newton's method fails. Once the factor exceeds 0.9, Newton's method has lost the path.
     while tau * factor > 1e-16 * energy && (factor < 0.9 || factor == 1.0) {
         let smoothed = Smoothed { problem, blocks, rho: &rho, tau: tau * factor };
-        // A point counts as on the path if the root mean square of its residuals is below this fraction of √τ. If smaller, Newton steps are made
-        // that the next τ makes obsolete; if larger, Newton's method loses the path.
+        // A point counts as on the path if the root mean square of its residuals is below this fraction of √τ. With a smaller fraction Newton steps
+        // are made that the next τ makes obsolete; with a larger one Newton's method loses the path.
         let enough = 0.1 * (count * smoothed.tau).sqrt();
         let patience = IterationLimits { steps: 50, enough, rounding: 0.0, shortest: 1e-3, leaps: 0 };
         let (point, steps) = descend(&smoothed, order, r.clone(), patience);

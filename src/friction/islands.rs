@@ -94,8 +94,8 @@ impl<const C: usize> FrictionProblem<C> {
                     let cause = BreakdownCause::NoConvergence { residual, contact: island[contact] };
                     unsolved = unsolved.or(Some(Outcome::Breakdown { pivots, cause }));
                 }
-                // Lemke's method has ended on a ray, which is a ray of this island's complementarity problem only. The outcome for the whole problem
-                // is therefore `NoConvergence`.
+                // Lemke's method has ended on a ray: a half-line of points of this island's complementarity problem. The points have no entries for
+                // other islands, so they are no ray of the whole problem, and its outcome is `NoConvergence`.
                 Outcome::Ray(ray) => {
                     let cause = BreakdownCause::NoConvergence { residual: f64::INFINITY, contact: island[0] };
                     unsolved = unsolved.or(Some(Outcome::Breakdown { pivots: ray.pivots, cause }));

@@ -20,8 +20,8 @@ pub(super) const WORTH_POLISHING: f64 = 1e-6;
 /// Lower limit of the weight δ of the proximal term in the linear equations of a Newton step, relative to the contact's diagonal block of the matrix
 /// W. The proximal term makes the equations of redundant contacts regular, although their forces are not determined.
 ///
-/// With this limit, the undetermined force components are accurate to half of the digits, all others to all digits. If smaller, equations become
-/// singular.
+/// With this limit, the undetermined force components are accurate to half of the digits, all others to all digits. With a smaller limit the
+/// equations become singular.
 pub(super) const LEAST_ANCHOR: f64 = 1e-12;
 
 /// Along the central path a multiple of the identity is added to each contact's diagonal block of the matrix W. This number is the ratio of that

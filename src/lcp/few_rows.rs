@@ -105,7 +105,7 @@ impl Lcp {
     }
 }
 
-/// x rounded to `digits` binary digits. Adding and subtracting a number 2^(53 − digits) times as large drops all further digits.
+/// The number x rounded to `digits` binary digits. Adding and subtracting a number 2^(53 − digits) times as large drops all further digits.
 fn rounded(x: f64, digits: i32) -> f64 {
     let far = x * 2.0_f64.powi(53 - digits);
     let rounded = (x + far) - far;

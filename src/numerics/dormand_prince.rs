@@ -109,7 +109,7 @@ const TABLEAU: Tableau = Tableau {
 pub(crate) struct Stepped {
     /// Change of the variables over the step.
     pub(crate) change: Vec<f64>,
-    /// Estimated error of `change`, as measured by the caller's function `size`.
+    /// Estimated error of the step's change, as measured by the caller's function `size`.
     pub(crate) error: f64,
 }
 

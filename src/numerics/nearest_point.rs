@@ -22,7 +22,8 @@ pub(crate) struct NearestPoint<Tag> {
     residual: Vec<f64>,
     /// The orthonormal factor Q of the matrix of active generators, column after column.
     q: Vec<f64>,
-    /// The triangular factor R of the matrix of active generators. Column k starts at entry `size k`.
+    /// The triangular factor R of the matrix of active generators. Column k, from 0, starts at entry k times `size`, the number of components of the
+    /// target.
     r: Vec<f64>,
     /// The components of Qᵀt, one per column of Q, with the target t: the point whose closest point in the cone is sought.
     components: Vec<f64>,

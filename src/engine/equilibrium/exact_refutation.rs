@@ -114,8 +114,8 @@ fn around(from: f64, to: f64) -> Vec<[Rational; 2]> {
     (0..2 * pieces).map(corner).chain([point(from, 1.0), point(to, 1.0)]).collect()
 }
 
-/// Virtual contact forces that balance one another exactly. They differ from `forces` in six components, found by Gaussian elimination of the six
-/// equations of equilibrium.
+/// Virtual contact forces that balance one another exactly. They differ from the given `forces` in six components, found by Gaussian elimination of
+/// the six equations of equilibrium.
 fn balanced(contacts: &[Exact], forces: &[SVector<f64, 3>]) -> Vec<Rational> {
     let mut forces: Vec<Rational> = forces.iter().flat_map(|f| f.iter().map(|x| exact(*x))).collect();
     let column = |j: usize| &contacts[j / 3].map[j % 3];

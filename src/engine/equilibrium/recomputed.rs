@@ -198,7 +198,7 @@ impl Engine {
     }
 
     /// The largest relative imbalance of generalised forces at joints and at bodies other than the object. Each imbalance is divided by the sum of
-    /// the sizes of its terms, but at least by `force_size`. Zero if the grasp has neither joints nor other bodies.
+    /// the sizes of its terms, but at least by the force `force_size`. Zero if the grasp has neither joints nor other bodies.
     fn joints_out_of_balance(
         &self,
         load: &Wrench<3>,

@@ -93,8 +93,9 @@ pub(crate) fn kinematic_form(
 #[derive(Debug, Default)]
 pub(crate) struct UnitDisplacements(Vec<Option<Vec<Vec<f64>>>>);
 
-/// The kinematic form of the given contacts in a problem with many coordinates. All other contacts keep the states of `trial`. Displacements under
-/// jumps (gaps and slips) are taken from `known`, or computed and stored there. `None` if a number overflows or the factorisation fails.
+/// The kinematic form of the given contacts in a problem with many coordinates. All other contacts keep the states of the elastic trial `trial`.
+/// Displacements under jumps (gaps and slips) are taken from the list `known`, or computed and stored there. `None` if a number overflows or the
+/// factorisation fails.
 pub(crate) fn kinematic_form_among(
     problem: &Problem,
     trial: &LinearProblem,

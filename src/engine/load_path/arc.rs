@@ -171,7 +171,7 @@ impl<'s, 'g> Arc<'s, 'g> {
         local.tangent(&State::Round(Slide::new(friction, 0.0)))
     }
 
-    /// Tangent stiffnesses of all sliding contacts, with these friction forces, in the order of `sliding`.
+    /// Tangent stiffnesses of all sliding contacts, with these friction forces, in the order of the indices `sliding`.
     pub(super) fn tangents(&self, frictions: impl Iterator<Item = SVector<f64, 3>>) -> Vec<Tangent> {
         self.sliding.iter().zip(frictions).map(|(&i, friction)| self.tangent(i, &friction)).list()
     }
@@ -265,8 +265,8 @@ impl<'s, 'g> Arc<'s, 'g> {
         [stretch, tangent.force(&stretch)]
     }
 
-    /// The rates of all contact forces in the `direction` of the path. `slid` are the tangent stiffnesses of the sliding contacts, in the order
-    /// of `sliding`.
+    /// The rates of all contact forces in the `direction` of the path. `slid` are the tangent stiffnesses of the sliding contacts, in the order of
+    /// the indices `sliding`.
     pub(super) fn force_rates(&self, slid: &[Tangent], direction: &Direction) -> Vec<SVector<f64, 3>> {
         let mut slid = slid.iter();
         let rate = |(i, state): (usize, &State)| {
@@ -390,8 +390,8 @@ impl<'s, 'g> Arc<'s, 'g> {
 
 impl Segment<'_> {
     /// Forces and twist at the load factor `factor`, with their rates per unit of the load factor. Contacts keep the states `states` and slide on the
-    /// round cone. The forces are those of the equilibrium near `at` with friction forces on their cones; if no such equilibrium is found, the forces
-    /// of `at`. Along motions that no spring resists, the object moves at the twist rate `pushed`, if it is given.
+    /// round cone. The forces are those of the equilibrium near the state `at` with friction forces on their cones; if no such equilibrium is found,
+    /// the forces of that state. Along motions that no spring resists, the object moves at the twist rate `pushed`, if it is given.
     pub(super) fn tangent(
         &self,
         states: &[State],

@@ -89,8 +89,8 @@ pub struct Continuation<const C: usize> {
     pub rule: FoundBy,
 }
 
-/// [`Beyond::Continues`] with the contact states and rates of `found`. `rates` is the complementarity problem for the rates of forces and motion
-/// after an event, and `found` its solution. [`Beyond::WithoutVacuum`] if a suction cup is open all around.
+/// [`Beyond::Continues`] with the contact states and rates of the solution `found`. It solves `rates`, the complementarity problem for the rates of
+/// forces and motion after an event. [`Beyond::WithoutVacuum`] if a suction cup is open all around.
 pub(super) fn continuation(
     grasp: &Engine,
     rates: &Problem,

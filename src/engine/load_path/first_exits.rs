@@ -14,14 +14,14 @@ pub(super) struct FirstExits {
     /// The least step, a change of the load factor, at which the present state of a contact ends, with all contacts whose states end there. `None` if
     /// no state ends.
     pub(super) reached: Option<(f64, ExitsReached)>,
-    /// While a load turns: contacts and drives whose force touches the edge of its cone, without crossing it, before the step of `reached`. Each
-    /// entry is the index of the contact or drive, and the angle by which the load has turned, rad.
+    /// While a load turns: contacts and drives whose force touches the edge of its cone, without crossing it, before the first state ends. Each entry
+    /// is the index of the contact or drive, and the angle by which the load has turned, rad.
     pub(super) touches: Vec<(usize, f64)>,
 }
 
-/// The smallest step (change of the load factor) to an exit in `ways`, and all contacts with an exit at this step; `None` if `ways` has no exit.
-/// `ways` lists the exits of each contact, i.e. the ends of its state, with the step at which each occurs. In symmetric grasps several contacts
-/// reach an edge at once: steps that are equal up to the sum of their uncertainties are taken as equal.
+/// The smallest step (change of the load factor) at which a contact's state ends, and all contacts whose states end at this step; `None` if none
+/// ends. The argument `ways` lists the exits of each contact, i.e. the ends of its state, with the step at which each occurs. In symmetric grasps
+/// several contacts reach an edge at once: steps that are equal up to the sum of their uncertainties are taken as equal.
 pub(super) fn first_reached(mut ways: ExitsReached) -> Option<(f64, ExitsReached)> {
     let mut first = ways.iter().find_map(|(_, exits)| exits.first()).copied()?;
     for (_, exits) in &ways {

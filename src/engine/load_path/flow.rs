@@ -77,7 +77,7 @@ pub(super) struct Flow<'s, 'g> {
     from: f64,
     /// The point of the path at the start of the step, with rates per unit of arclength.
     point: &'s PathPoint,
-    /// Friction forces of the sliding contacts at the start of the step, N, in the order of `arc.sliding`.
+    /// Friction forces of the sliding contacts at the start of the step, N, in the order in which the arc lists them.
     begin: Vec<SVector<f64, 3>>,
     /// For each sliding contact: true if its normal force is at most 1e-7 of the terms whose sum it is, and still decreases. Its friction force must
     /// then be computed with a smaller error, so that the direction of this force stays accurate.
@@ -298,7 +298,7 @@ impl<'s, 'g> Flow<'s, 'g> {
         Some(backwards > 0.0 || is_straight && direction.factor < -1e-8)
     }
 
-    /// Friction forces of the sliding contacts, N, in the order of `arc.sliding`, after the changes `y` of all variables since the start.
+    /// Friction forces of the sliding contacts, N, in the order in which the arc lists them, after the changes `y` of all variables since the start.
     fn frictions(&self, y: &[f64]) -> impl Iterator<Item = SVector<f64, 3>> {
         self.begin.iter().zip(y.chunks_exact(2)).map(|(begin, change)| {
             let mut force = *begin;

@@ -285,8 +285,8 @@ fn slide_where_they_graze(rates: &Problem, found: &mut SearchSolution) {
     }
 }
 
-/// For each contact the unit direction, along the coordinate axes, in which the finger slides over the object in `found`; `None` if the contact does
-/// not slide.
+/// For each contact the unit direction, along the coordinate axes, in which the finger slides over the object in the solution `found`; `None` if the
+/// contact does not slide.
 pub(super) fn directions(problem: &Problem, found: &SearchSolution) -> Vec<Option<SVector<f64, 3>>> {
     let direction =
         |state| if let ContactState::Sliding { direction } = state { Some(direction) } else { None };

@@ -137,7 +137,7 @@ impl OnsetEvent<3> {
 }
 
 impl DepartingContact<3> {
-    /// The contact or drive with the index `site`, which stops sticking as given in `how`; its label has only this index, and its name is filled in
+    /// The contact or drive with the index `site`, which stops sticking in the way `how`; its label has only this index, and its name is filled in
     /// later.
     pub(super) fn new(site: usize, how: Departure<3>) -> Self {
         Self { contact: ContactLabel { index: site, point: None, name: None, link: None }, how }

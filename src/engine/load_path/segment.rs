@@ -230,8 +230,8 @@ impl<'g> Segment<'g> {
         Some(if let Some(near) = near { self.nearest(linear_problem, at, near) } else { at })
     }
 
-    /// The change of the load factor along a straight piece, from the state `at` at `factor` to the exit `exit` of a contact. An exit is an end
-    /// of the contact's state, such as the point at which its force reaches an edge of its cone. Rates are taken from `point`.
+    /// The change of the load factor along a straight piece, from the state `at` at the load factor `factor` to the exit `exit` of a contact. An exit
+    /// is an end of the contact's state, such as the point at which its force reaches an edge of its cone. Rates are taken from `point`.
     pub(super) fn step_to_exit(
         &self,
         contact: usize,
@@ -299,8 +299,8 @@ impl<'g> Segment<'g> {
         self.problem.offsets[contact] -= slip;
     }
 
-    /// The exits at which a contact's present state may end, each with the step from `point` to it. An exit is an edge of the cone, the apex, a
-    /// closing gap, or a reversal of slip. Steps are changes of the load factor, or arclengths along an arc.
+    /// The exits at which a contact's present state may end, each with the step from the present state `point` to it. An exit is an edge of the cone,
+    /// the apex, a closing gap, or a reversal of slip. Steps are changes of the load factor, or arclengths along an arc.
     pub(super) fn ways_out(&self, contact: usize, state: &State, point: &PathPoint) -> Vec<Exit> {
         self.problem.local(contact).ways_out(state, &point.lines[contact], &point.gaps[contact])
     }

@@ -30,7 +30,7 @@ pub(super) struct Slips<'g> {
     /// Contact forces of all terms, one term after the other. The first two terms are the state at load factor 0 and the rate with respect to the
     /// load factor. Then follow the responses to a unit slip of each sliding contact along both tangents.
     pub(super) forces: Vec<SVector<f64, 3>>,
-    /// Twists of the object in all terms, in the order of `forces`.
+    /// Twists of the object in all terms: in the state at load factor 0, per unit of the load factor, and per unit slip along each tangent.
     pub(super) twists: Vec<Vector>,
     /// Indices of the sliding contacts, in the order in which they began to slide.
     pub(super) sliding: Vec<usize>,
@@ -95,8 +95,8 @@ impl Slips<'_> {
     }
 
     /// For each sliding contact the derivatives of its margin `μ F_n - |F_t|`. The first derivative is with respect to the load factor. The others
-    /// are with respect to the slip of each sliding contact along its friction force, in units of `unit`. They are the coefficients of the equations
-    /// that keep these margins zero.
+    /// are with respect to the slip of each sliding contact along its friction force, in units of the length `unit`. They are the coefficients of the
+    /// equations that keep these margins zero.
     pub(super) fn margin_rates(&self, directions: &SlipVector) -> [Equation; MOST_UNKNOWNS] {
         let mut rates = [[0.0; MOST_UNKNOWNS + 1]; MOST_UNKNOWNS];
         for ((row, i), p) in rates.iter_mut().zip(&self.sliding).zip(directions) {

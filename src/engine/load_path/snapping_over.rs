@@ -254,8 +254,8 @@ impl<'g> PiecewiseFollower<'g> {
         StateAfterSnap::near(grasp, &answer_for.small, self.segment.problem_at(beyond), &self.node.at.twist)
     }
 
-    /// The follower of an additional leg, along which the remaining imbalance of forces in `rests` is removed while the load factor stays at
-    /// `factor`. Also returns the changes from the present contact states to those in `rests`.
+    /// The follower of an additional leg, along which the remaining imbalance of forces in the state `rests` is removed while the load factor stays
+    /// at `factor`. Also returns the changes from the present contact states to those of `rests`.
     fn back_to_balance(&self, rests: StateAfterSnap<'g>, factor: f64) -> (Self, Vec<(usize, Change<3>)>) {
         let StateAfterSnap { problem, contacts, twist } = rests;
         let mut segment = self.segment.at_rest(factor);

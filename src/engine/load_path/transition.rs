@@ -93,7 +93,7 @@ pub(super) fn other_solutions(rates: &Problem, found: &SearchSolution) -> Option
 struct FewRows {
     form: Form,
     /// The largest component of a contact force in the elastic trial, in which all contacts stick. Each component is divided by the square root of
-    /// its stiffness, like the slacks of `form`.
+    /// its stiffness, like the slacks of the kinematic form.
     largest: f64,
     /// Whether there are so many coordinates that the elastic trial is factorised as a band matrix.
     many: bool,

@@ -19,7 +19,7 @@ pub(super) enum WatchedCondition {
     Leg,
 }
 
-/// The value that a condition requires to be positive, at one point of an arc. Its rounding error is proportional to `size`.
+/// The value that a condition requires to be positive, at one point of an arc. Its rounding error is proportional to its field `size`.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct ConditionValue {
     pub(super) what: WatchedCondition,

@@ -82,13 +82,15 @@ impl<const C: usize> fmt::Display for WholeChange<C> {
 }
 
 impl<const C: usize> WholeChange<C> {
-    /// The verb for the contact, without the direction of a slip: "slides", "begins to open".
+    /// The verb of a sentence about this change, with the contact as subject: "slides", "begins to open". It does not say in which direction a
+    /// contact slips.
     #[must_use]
     pub fn verb(&self) -> String {
         self.verb_in(Words::default())
     }
 
-    /// The verb of [`Self::verb`]; numbers in it have the precision of `words`.
+    /// The same as [`Self::verb`], with numbers in the format `words`. Only the verb of a contact whose direction of sliding turns has numbers, the
+    /// components of the new direction: "turns to (0.6, 0.8, 0)".
     #[must_use]
     pub fn verb_in(&self, words: Words) -> String {
         let said = format!("{self:.*}", words.precision());

@@ -48,7 +48,7 @@ pub(super) struct LimitedAnswer {
     pub(super) force: SVector<f64, 3>,
     /// Tangent stiffness, the derivative of `force` with respect to the stretch, N/m.
     pub(super) tangent: SMatrix<f64, 3, 3>,
-    /// The spring stiffness minus `tangent`, N/m: the part that is lost because the contact slides or opens.
+    /// The spring stiffness minus the tangent stiffness, N/m: the part that is lost because the contact slides or opens.
     pub(super) lost_stiffness: SMatrix<f64, 3, 3>,
     pub(super) state: Mode<u16>,
 }

@@ -25,7 +25,7 @@ pub(super) struct NullMotions {
     /// Null vectors n of the tangent stiffness T that stretch no spring: A n = 0 with the matrix A of spring stretches. Orthonormal.
     pub(super) free: Vec<Vector>,
     /// Null vectors n of the tangent stiffness T that stretch springs (A n ≠ 0): forces change along n but stay in balance. Orthonormal, and
-    /// orthogonal to `free`.
+    /// orthogonal to the free motions.
     pub(super) neutral: Vec<Vector>,
     /// Left null vectors z of the tangent stiffness T along which no spring pushes: B z = 0 with the matrix B of push directions. Orthonormal.
     pub(super) unbalanced: Vec<Vector>,

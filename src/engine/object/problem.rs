@@ -44,7 +44,7 @@ pub(crate) struct Problem<'g> {
     /// For each contact the slip accumulated so far, m, in its contact frame; zero in the rate problem.
     pub(crate) slips: Vec<SVector<f64, 3>>,
     pub(crate) wrench: Vector,
-    /// Rounding error of `wrench`, exact minus rounded, from moving its moment to the centroid of the contacts. Zero in the rate problem.
+    /// Rounding error of the load `wrench`, exact minus rounded, from moving its moment to the centroid of the contacts. Zero in the rate problem.
     pub(crate) wrench_rounding_error: Vector,
     /// Flag: true if a contact with infinite friction is treated as if its coefficient were very large. Such a contact has facets of a friction cone
     /// and may slide.

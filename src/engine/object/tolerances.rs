@@ -38,10 +38,10 @@ pub(super) const RELAXING_STEPS: usize = 300;
 /// one of 240 random scenes (test `needed_amounts`). With a smaller fraction there are more steps.
 pub(super) const NEARLY_RELAXED: f64 = 1e-2;
 
-/// Two steps of the relaxation have nearly the same direction if the cosine of the angle between them is at least this number. The factor by
-/// which steps are made longer is then doubled. If smaller, long steps oscillate; if larger, slow relaxation takes hundreds of steps.
+/// Two steps of the relaxation have nearly the same direction if the cosine of the angle between them is at least this number. The factor by which
+/// steps are made longer is then doubled. With a smaller cosine long steps oscillate; with a larger one slow relaxation takes hundreds of steps.
 pub(super) const STRAIGHT_ON: f64 = 0.99;
 
-/// Upper limit of the factor by which a step of the relaxation is made longer. If larger, a step may pass over an equilibrium; if smaller, slow
-/// relaxation takes longer.
+/// Upper limit of the factor by which a step of the relaxation is made longer. With a larger limit a step may pass over an equilibrium; with a
+/// smaller one slow relaxation takes longer.
 pub(super) const MOST_STEP_FACTOR: f64 = 64.0;

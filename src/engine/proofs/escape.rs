@@ -10,9 +10,9 @@ use super::tolerances::{ESCAPE, LEAST_WORK};
 /// Whether a unit vector y contradicts equilibrium under all loads on a line, except very near its start. The line leads from one load, whose work
 /// along y is `value`, to another, whose work is `past`. At the fraction t of the line the work of the load is `(1 - t) value + t past`.
 ///
-/// `negative_work` is the largest magnitude of negative work that a generator does along y; in a proof it is mere rounding. `data` is the size of
-/// load and commands together, N. A contradiction is accepted if an equilibrium that rounding hides from it would have forces larger than `data` by
-/// the factor [`ESCAPE`].
+/// `negative_work` is the largest magnitude of negative work that a generator does along y; if y proves that the load is unbalanced, it is mere
+/// rounding. `data` is the size of load and commands together, N. A contradiction is accepted if an equilibrium that rounding hides from it would
+/// have forces larger than `data` by the factor [`ESCAPE`].
 pub(crate) fn counts_from_here_on(value: f64, past: f64, negative_work: f64, data: f64) -> bool {
     // If this condition holds, loads at fractions t >= 1e-6 of the line between the two loads are contradicted. Loads at a smaller t differ only
     // by rounding from the load at which the path ended.

@@ -6,7 +6,7 @@
 //! | file | idea |
 //! |---|---|
 //! | `wrench_cone` | the load lies outside the cone of all contact forces: a separating motion |
-//! | `separating_many` | the same kind of proof with many coordinates, by band matrices |
+//! | `separating_many` | the same separating motion with many coordinates, by band matrices |
 //! | `escape` | the safety factor of a proof: rounding may hide from it only an equilibrium whose forces are far larger than load and commands |
 //! | `refutation` | case by case on the round cone, as a certificate that can be checked |
 //! | `nothing_near` | a radius around a lost equilibrium within which no other equilibrium exists |

@@ -28,8 +28,8 @@ use crate::prelude::*;
 
 /// Returns a radius ρ, m, such that no equilibrium exists at motions `q* + δ` of the object with δ within this radius. Within the radius, δ moves the
 /// centroid of the contacts by at most ρ. It turns the object by at most ρ divided by the root mean square distance of the contacts from the
-/// centroid, and moves each further coordinate by at most ρ. q* is the argument `at`, and `motion` is the virtual motion v of the proof. Infinite if
-/// it is proved that no equilibrium exists at all; `None` if nothing is proved even at q*.
+/// centroid, and moves each further coordinate by at most ρ. q* is the argument `at`, and `motion` is the virtual motion v. Infinite if it is proved
+/// that no equilibrium exists at all; `None` if nothing is proved even at q*.
 pub(crate) fn nothing_near(problem: &Problem, at: &Vector, motion: &Vector) -> Option<f64> {
     let work = motion.dot(&problem.wrench);
     let mut size = motion.norm() * problem.wrench.norm();
@@ -75,7 +75,7 @@ pub(crate) fn nothing_near(problem: &Problem, at: &Vector, motion: &Vector) -> O
         left -= growth * (from - rho);
         (rho, growth) = (from, growth + faster);
     }
-    // Rounding of the sums above reduces the radius of the proof, too.
+    // Rounding of the sums above reduces the radius ρ, too.
     Some((rho + left / growth) * (1.0 - rounding))
 }
 

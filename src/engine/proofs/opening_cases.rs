@@ -23,8 +23,8 @@ use crate::numerics::{Vector, chosen, every_index, largest, unit};
 use crate::object::Problem;
 use crate::prelude::*;
 
-/// Whether it is proved that contact forces balance no load on a line of loads. The line leads from the load of `here` to that of `past`, slightly
-/// farther on the load path. Loads within the fraction 1e-6 of the start of the line are not included.
+/// Whether it is proved that contact forces balance no load on a line of loads. The line leads from the load of the problem `here` to that of the
+/// problem `past`, slightly farther on the load path. Loads within the fraction 1e-6 of the start of the line are not included.
 pub(crate) fn nothing_holds(here: &Problem, past: &Problem) -> bool {
     let free: Vec<usize> = chosen(here.len(), &|&i| here.local(i).may_open());
     let whole = !here.locals().any(|local| local.is_absent() || local.is_on_an_edge());

@@ -9,8 +9,8 @@
 //! Σ (φ_i·v_i + (G_iᵀy)·F_i)  =  Σ φ_i·a_i - y·W  >  0
 //! ```
 //!
-//! would hold for every q; the check of a proof verifies that the right side is positive. If, under the labels of the case, no contact's term on the
-//! left side can be positive, the case has no equilibrium. In the elastic trial state every contact sticks.
+//! would hold for every q; the check of a certificate verifies that the right side is positive. If, under the labels of the case, no contact's term
+//! on the left side can be positive, the case has no equilibrium. In the elastic trial state every contact sticks.
 
 use crate::numerics::{IntoList, Vector};
 use nalgebra::SVector;
@@ -21,8 +21,8 @@ use crate::grasp::Site;
 use crate::object::{LinearProblem, Problem};
 use crate::prelude::*;
 
-/// A step of the proof, for the present case of contact states. Steps are in depth-first order: a division is followed by all steps of its
-/// second case, then by all steps of its first case.
+/// A step of the proof that no equilibrium exists, for the present case of contact states. Steps are in depth-first order: a division is followed by
+/// all steps of its second case, then by all steps of its first case.
 #[derive(Debug, Clone)]
 pub(crate) enum ProofStep {
     /// The present case is divided into two. In each case the label of this contact, which restricts its state, is one of the `halves`. Together the
@@ -32,9 +32,9 @@ pub(crate) enum ProofStep {
     Contradicted { motion: Vector, forces: Vec<SVector<f64, 3>> },
 }
 
-/// Checks a proof without searching. The proof may miss an equilibrium because of rounding. Returns a lower bound of the ratio of the size of such an
-/// equilibrium to the size of the elastic trial state. A size is the norm of stretches and forces in energy units (√J). `None` if the steps omit a
-/// case or do not contradict it, or if the lower bound is below [`ESCAPE`].
+/// Checks a proof that no equilibrium exists, without searching. The proof may miss an equilibrium because of rounding. Returns a lower bound of the
+/// ratio of the size of such an equilibrium to the size of the elastic trial state. A size is the norm of stretches and forces in energy units (√J).
+/// `None` if the steps omit a case or do not contradict it, or if the lower bound is below [`ESCAPE`].
 pub(crate) fn check(problem: &Problem, steps: &[ProofStep]) -> Option<f64> {
     let trial = problem.trial();
     let state = trial.solve(problem.sites, &problem.offsets, problem.load()).ok()?;
@@ -65,8 +65,8 @@ pub(crate) fn check(problem: &Problem, steps: &[ProofStep]) -> Option<f64> {
     (open.is_empty() && least >= ESCAPE).then_some(least)
 }
 
-/// Searches for a proof, with a single case, that no contact forces balance offsets and load. Returns the same lower bound as [`check`]: how many
-/// times larger than the elastic trial state an equilibrium that rounding hides must be. `None` without a proof.
+/// Searches for a proof, with a single case, that no equilibrium exists with the given offsets and load. Returns the same lower bound as [`check`]:
+/// how many times larger than the elastic trial state an equilibrium that rounding hides must be. `None` without a proof.
 ///
 /// In a rate problem (for derivatives along a load path), all contacts that may slide or open are assumed to do so. The tangent stiffness `Σ G_i C_i
 /// G_iᵀ` of the object may then be singular; C_i is the tangent stiffness and G_i the grasp map of contact i. A left null vector is a virtual motion

@@ -82,25 +82,26 @@ struct AugmentedLagrangian {
 pub(super) enum Residual {
     /// The residual is a motion that separates the load from all admissible contact forces.
     Proof(Vector),
-    /// There is a residual, but the rounds of the method did not make it a proof.
+    /// There is a residual, but after all rounds of the method it still does not prove that the load is unbalanced.
     Unclear,
     /// There is no residual, since the load is balanced; or the method does not apply, since a contact law is not a cone.
     Nothing,
 }
 
-/// The residual after some rounds of the augmented Lagrangian, or the reason why it proves nothing. It is the part of the load, scaled to length one,
-/// that contact forces do not balance. `is_proof` decides whether a residual is a proof.
+/// The residual after some rounds of the augmented Lagrangian: the part of the load that no admissible contact forces balance, if the load is first
+/// scaled to length one. `is_proof` decides whether a residual, taken as a motion, proves that no contact forces balance the load. Otherwise the
+/// result tells why nothing is proved.
 pub(super) fn residual_of_many(problem: &Problem, is_proof: &dyn Fn(&Vector) -> bool) -> Residual {
     let Some(mut pushed) = AugmentedLagrangian::of(problem) else {
         return Residual::Nothing;
     };
     let mut v = pushed.load.clone();
     let (mut more, mut clearer, mut proof) = (0, 0, None);
-    // The search ends after six rounds with the largest penalty ρ, or three rounds after a first proof. These three rounds remove rounding from the
-    // separating motion, which is shown to users.
+    // The search ends after six rounds with the largest penalty ρ, or three rounds after a residual first proves that the load is unbalanced. These
+    // three rounds remove rounding from the separating motion, which is shown to users.
     while more < 6 && clearer < 4 {
-        // A round of the method ends once the imbalance, relative to the load, is at most `enough`. Before a proof is found this is 1e-3 / ρ, with
-        // the penalty ρ, to save Newton steps. Afterwards it is 1e-14, to remove rounding.
+        // A round of the method ends once the imbalance, relative to the load, is at most `enough`. Before a residual proves that the load is
+        // unbalanced, this is 1e-3 / ρ, with the penalty ρ, to save Newton steps. Afterwards it is 1e-14, to remove rounding.
         let least = 1e-14;
         let enough = if proof.is_some() { least } else { (1e-3 / pushed.penalty).max(least) };
         let Some(left) = pushed.round(&mut v, enough) else { break };

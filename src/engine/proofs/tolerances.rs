@@ -3,7 +3,7 @@
 /// A proof of no equilibrium is accepted if rounding could hide only an equilibrium with enormous forces: at least this multiple of load and
 /// commands.
 ///
-/// If smaller, proofs are accepted that are mere rounding; if larger, clear proofs are refused.
+/// If smaller, proofs of no equilibrium are accepted that are mere rounding; if larger, clear proofs are refused.
 pub(crate) const ESCAPE: f64 = 1e4;
 
 /// Size of the rounding error in the work of a generator (a unit wrench on the edge of a friction cone) along a unit motion. If the computed negative
@@ -12,8 +12,8 @@ pub(crate) const ESCAPE: f64 = 1e4;
 /// If smaller, rounded work makes contradictions seem clear; if larger, clear contradictions are refused.
 pub(crate) const LEAST_WORK: f64 = 1e-15;
 
-/// A residual (the part of the load that admissible contact forces cannot balance) below this fraction of the load is no proof. The load is then on
-/// the boundary of the cone of contact forces, up to rounding.
+/// A residual (the part of the load that admissible contact forces cannot balance) below this fraction of the load does not prove that the load is
+/// unbalanced. The load is then on the boundary of the cone of contact forces, up to rounding.
 ///
 /// If smaller, a load on the boundary seems to lie outside the cone of contact forces; if larger, true proofs are refused.
 pub(super) const CLEAR_RESIDUAL: f64 = 1e-9;

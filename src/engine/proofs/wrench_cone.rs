@@ -45,7 +45,7 @@ impl Generator {
 
     /// Negative work of the generator, a unit wrench, along a motion, divided by the share of the normal component in its contact force. With large
     /// friction this share is small. Contacts can then exert a large multiple of the generator with a small normal force, so that even little
-    /// negative work along the motion would refute the proof.
+    /// negative work along the motion would refute the proof that the load is unbalanced.
     fn works_against(&self, motion: &Vector) -> f64 {
         let normal = self.force[0] / self.force.norm();
         -self.wrench.dot(motion) / if normal > 0.0 { normal } else { 1.0 }
@@ -118,8 +118,8 @@ struct LoadAndCones<'p, 'g> {
     problem: &'p Problem<'g>,
     straight: Vec<Generator>,
     load: f64,
-    /// The size of load and commands: the norm of the load, plus the size of the forces with which the fingers squeeze. A proof is accepted only if
-    /// an equilibrium that rounding hides from it would have forces of at least [`ESCAPE`] (1e4) times this size.
+    /// The size of load and commands: the norm of the load, plus the size of the forces with which the fingers squeeze. A proof that the load is
+    /// unbalanced is accepted only if an equilibrium that rounding hides from it would have forces of at least [`ESCAPE`] (1e4) times this size.
     data: f64,
 }
 

@@ -1,6 +1,7 @@
 //! The result of a search for an equilibrium under a load, and the work that it took. A drive, the spring of a joint or tendon of a hand, is treated
 //! like a contact. In the elastic trial state every contact sticks. The twist is the motion of the object, of joints and of further bodies. Free
-//! motions stretch no spring; along neutral motions forces change but stay in balance.
+//! motions stretch no spring; along neutral motions forces change but stay in balance. A case restricts the states of the contacts (stick, slide or
+//! open), and perhaps the directions of their friction.
 
 use nalgebra::SVector;
 

@@ -47,8 +47,9 @@ pub(super) struct RejectedStates {
     doubtful: bool,
 }
 
-/// Checks every inequality for `at`, the solution of `linear_problem` in these contact states. If the solution is not unique and breaks an
-/// inequality, another solution that satisfies all inequalities is returned, if one exists. The error holds the rejected states.
+/// Checks every inequality of the contact laws for the solution `at`: forces and twist that solve `linear_problem` in these contact states. If the
+/// solution is not unique and breaks an inequality, another solution that satisfies all inequalities is returned, if one exists. The error holds the
+/// rejected states.
 pub(super) fn admit(
     problem: &Problem,
     states: Vec<State>,

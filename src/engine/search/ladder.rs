@@ -1,9 +1,10 @@
 //! The ladder: methods, called rungs, that find an equilibrium or prove that none exists. They are tried in order until a method finds an equilibrium
-//! or a proof.
+//! or a proof that none exists.
 //!
 //! The elastic trial, in which everything sticks, is tried before the first rung. A rung costs more than the rungs before it, or ends the search less
 //! often. A separating motion is a virtual motion along which the load does positive work and no admissible contact force does negative work. The
-//! kinematic form is the complementarity problem for gaps and slips, the force form that for contact forces.
+//! kinematic form is the complementarity problem for gaps and slips, the force form that for contact forces. A case restricts the states of the
+//! contacts (stick, slide or open), and perhaps the directions of their friction.
 
 use super::answer::{Doubt, FoundBy, SearchCounts, SearchOutcome, SearchSolution};
 use super::candidate::{RejectedStates, admit};
@@ -265,8 +266,8 @@ fn force_form(scene: &ElasticTrial<'_, '_>, log: &mut SearchLog) -> Attempt {
     Attempt::of(equilibrium_by_proposals(scene.proposing(), &propose, log))
 }
 
-/// Tries every case, if there are not too many. On the round cone branch and bound divides contact states and directions of friction into cases. In
-/// the plane and on polygonal cones cases are combinations of contact states.
+/// Tries every case, if there are not too many. If contacts have round cones, a case restricts the state of each contact or the direction of its
+/// friction, and branch and bound divides cases into smaller ones. In the plane and on polygonal cones a case is a combination of contact states.
 fn every_case(scene: &ElasticTrial<'_, '_>, log: &mut SearchLog) -> Attempt {
     let (most, problem) = (most_cases(scene.problem, scene.settings), scene.proposing());
     if most > 0 {

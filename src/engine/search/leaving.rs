@@ -34,9 +34,9 @@ impl PivotStart {
         Some(Self { states, linear_problem, at })
     }
 
-    /// This start of Lemke's method, changed so that the contacts in `among` stick. `moved` stores displacements of the object per unit gap or slip
-    /// of a contact; if a state changes, they are no longer valid and are cleared. `None` if the tangent stiffness is then singular, or if no forces
-    /// balance the load.
+    /// This start of Lemke's method, changed so that the contacts with the indices `among` stick. `moved` stores displacements of the object per unit
+    /// gap or slip of a contact; if a state changes, they are no longer valid and are cleared. `None` if the tangent stiffness is then singular, or
+    /// if no forces balance the load.
     fn sticking_at(self, problem: &Problem, among: &[usize], moved: &mut UnitDisplacements) -> Option<Self> {
         let mut states = self.states.clone();
         for i in among {
@@ -136,8 +136,8 @@ fn pivoted(
     None
 }
 
-/// The contacts in `among` and their neighbours, by ascending index. A neighbour is a contact that moves with one of the coordinates that move a
-/// contact in `among`.
+/// The indices `among` of contacts and those of their neighbours, in ascending order. A neighbour is a contact that moves with one of the coordinates
+/// that move one of these contacts.
 fn with_neighbours(problem: &Problem, among: &[usize]) -> Vec<usize> {
     let mut is_near = vec![false; problem.size().count()];
     for i in among {

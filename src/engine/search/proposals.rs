@@ -70,7 +70,8 @@ pub(super) fn propose_dense(
     // than another run would.
     let affordable = settings.max_pivots.unwrap_or(most_work / form.rows.len().pow(2).max(1));
     let by_size = lcp::Settings::one_path();
-    // The solver is given the limit `affordable` of the number of pivots in two cases: the caller set it, or it is below the solver's own limit.
+    // The solver is given the limit `affordable` of the number of pivots for one of two reasons: the caller set it, or it is below the solver's own
+    // limit.
     let bounds = settings.max_pivots.is_some() || affordable < by_size.pivot_limit(form.rows.len());
     let one_path = lcp::Settings { max_pivots: bounds.then_some(affordable), ..by_size };
     let lcp_settings = if most_cases(problem, settings) > 0 {

@@ -30,7 +30,8 @@ pub enum RungResult {
 pub struct RecordedSearch {
     /// The index, in [`names`], of the method that found an equilibrium or a proof; `None` if the search stayed undecided.
     pub decided: Option<usize>,
-    /// For each method, in the order of [`names`], its result and the time that it took, s. Methods after the method `decided` were run, too.
+    /// For each method, in the order of [`names`], its result and the time that it took, s. Methods after the one that decided the search were run,
+    /// too.
     pub rungs: Vec<(RungResult, f64)>,
 }
 

@@ -1,5 +1,6 @@
 //! Equilibrium with the law of each contact relaxed: stretch and force of the contact may be any point of the convex hull of the law, a polyhedral
-//! cone.
+//! cone. The relaxation is made in a case of branch and bound: a case restricts the state of each contact, for example to closed, or to friction
+//! directions between two angles.
 //!
 //! Equilibrium is written in energy units, in which the stretches v and contact forces F are `e = K^{1/2}v` and `f = K^{-1/2}F`, with the stiffnesses
 //! K. With the grasp maps G, P is the orthogonal projector on the span of `K^{1/2}Gᵀ`. The forces of the elastic trial, in which everything sticks,

@@ -34,7 +34,7 @@ struct NewtonChange {
 }
 
 impl RoundPieces {
-    /// Newton's method on the twist from `from`, in which every contact may change its state; `None` if it does not converge.
+    /// Newton's method on the twist, from the initial twist `from`, in which every contact may change its state; `None` if it does not converge.
     pub(super) fn by_newton(problem: &Problem, from: Vector) -> Option<Self> {
         let mut contacts = Vec::new();
         // Newton's method on the twist ends at this imbalance, a fraction of the forces. The caller's Newton steps with fixed contact states reduce
@@ -112,7 +112,8 @@ impl RoundPieces {
         })
     }
 
-    /// One Newton step: adds the corrections of forces and twist that follow from `linear_problem`. Returns the sizes of these corrections.
+    /// One Newton step: adds the corrections of forces and twist that solve the equations of `linear_problem`. Returns the sizes of these
+    /// corrections.
     fn step(&mut self, problem: &Problem, linear_problem: &LinearProblem) -> NewtonChange {
         let twist = self.twist.value();
         let largest = problem.largest_force(&self.forces, &twist);

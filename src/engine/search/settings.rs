@@ -1,5 +1,6 @@
 //! Settings of searches for the equilibrium of a grasp under a load, and of load paths (equilibria while loads and finger commands change). In the
-//! elastic trial, from which searches start, every contact sticks.
+//! elastic trial, from which searches start, every contact sticks. A case restricts the states of the contacts (stick, slide or open), and perhaps
+//! the directions of their friction.
 
 use super::small_motions::SmallMotions;
 use crate::contact::PolygonCone;

@@ -40,8 +40,8 @@ pub(crate) fn on_the_solution_interval(problem: &Problem, found: SearchSolution)
     }
 }
 
-/// The contact states of `found`, except that sticking contacts without force open, and sticking contacts on the edge of their cone slide. `None` if
-/// no contact changes its state.
+/// The contact states of the solution `found`, except that sticking contacts without force open, and sticking contacts on the edge of their cone
+/// slide. `None` if no contact changes its state.
 fn yielding(problem: &Problem, found: &SearchSolution) -> Option<Vec<State>> {
     let largest = found.forces.iter().map(Matrix::norm).fold(problem.wrench.norm(), f64::max);
     let mut states = found.states.clone();

@@ -23,8 +23,8 @@ pub(super) const MANY_CONTACTS: usize = 32;
 pub(super) const SEVERAL_CONTACTS: usize = 8;
 
 /// Upper limit of the number of multiplications of all runs of Lemke's method on one complementarity problem, if the caller sets no limit on pivots.
-/// This number takes about a second. If larger, a search over thousands of contacts without an equilibrium takes minutes to give up. If smaller, some
-/// equilibria are missed.
+/// This number takes about a second. With a larger number a search over thousands of contacts without an equilibrium takes minutes to give up. With a
+/// smaller one some equilibria are missed.
 pub(super) const MOST_WORK: usize = 500_000_000;
 
 /// An artificial viscous motion leads from the elastic trial (every contact sticks) towards an equilibrium (`object/relaxing`), and Newton's method

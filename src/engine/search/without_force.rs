@@ -31,7 +31,7 @@ pub(crate) fn settle_at_rest(problem: &Problem, settings: &Settings) -> (SearchO
 }
 
 /// The solution in the form in which a static problem returns it: contacts without force are open, and motions that nothing resists are listed. The
-/// twist of `found` is kept, and so are its `sizes`, to which rounding errors are proportional.
+/// twist of the solution `found` is kept, and so are its sizes of terms, to which rounding errors are proportional.
 pub(crate) fn reported_at_rest(problem: &Problem, found: SearchSolution) -> SearchSolution {
     let open = opened(problem, &found).unwrap_or_else(|| found.clone());
     let shown = on_the_solution_interval(problem, open);

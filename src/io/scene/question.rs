@@ -163,7 +163,8 @@ impl<const C: usize> Question<C> {
         Self::Onset { base, direction, command_change, joint_change, together_with: BTreeMap::new() }
     }
 
-    /// The base load and the growing load of [`Self::Hold`], [`Self::Compare`] and [`Self::Onset`], without growing loads on other bodies.
+    /// The base load and the growing load of [`Self::Hold`], [`Self::Compare`] and [`Self::Onset`]; for an onset also the changes of commands and
+    /// joint commands. If the question has further growing loads, on single bodies (`together_with`), the ramp leaves them out.
     ///
     /// # Errors
     /// [`Error::Question`] for other questions, whose loads do not grow linearly.

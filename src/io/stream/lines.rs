@@ -14,8 +14,8 @@ use super::line::{InputLine, LONGEST_LINE};
 use super::options::StreamOptions;
 use super::reply::Reply;
 
-/// A block (a batch of input lines that one worker answers) is full once it has this number of lines. If smaller, more time goes into passing blocks
-/// between threads; if larger, more lines are held in memory.
+/// A block (a batch of input lines that one worker answers) is full once it has this number of lines. With a smaller number more time goes into
+/// passing blocks between threads; with a larger one more lines are held in memory.
 const LINES_OF_A_BLOCK: usize = 64;
 /// Size, bytes, at which a block of input lines is full, and size of the input buffer.
 pub const BLOCK_BYTES: usize = 1 << 16;

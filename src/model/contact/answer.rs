@@ -131,8 +131,8 @@ impl LocalLaw<'_> {
         }
     }
 
-    /// The state, sticking or sliding, at the point of the polygon `h·F_t <= r` that is closest to a trial force. The h are the normals of `facets`,
-    /// and r is the friction limit, N.
+    /// The state, sticking or sliding, at the point of the polygon `h·F_t <= r` that is closest to a trial force. The h are the normals `facets`, and
+    /// r is the friction limit, N.
     fn nearest_of_polygon(&self, facets: &[SVector<f64, 3>], trial: &SVector<f64, 3>, r: f64) -> State {
         let after = |j: u16| if usize::from(j) + 1 == facets.len() { 0 } else { j + 1 };
         let (mut facet, mut last, mut most) = (0_u16, 0, f64::NEG_INFINITY);

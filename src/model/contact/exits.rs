@@ -18,14 +18,14 @@ use crate::prelude::*;
 pub(crate) struct Exit {
     /// The parameter `step` of the line `force + step rate` at the exit.
     pub(crate) step: f64,
-    /// Estimated rounding error of the parameter `step`.
+    /// Estimated rounding error of `step`, the parameter at the exit.
     pub(crate) uncertainty: f64,
     /// Outward normal h of the facet `h·F_t <= μ F_n` that is reached; zero if the normal force or the gap vanishes.
     pub(crate) facet: SVector<f64, 3>,
 }
 
-/// A straight line of contact forces, `force + step rate`, N. The rounding errors of `force` and `rate` are proportional to `force_size` and
-/// `rate_size`.
+/// A straight line of contact forces, `force + step rate`, N, with the parameter `step`. Rounding errors are proportional to the fields `force_size`
+/// (error of `force`) and `rate_size` (error of `rate`).
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Line {
     pub(crate) force: SVector<f64, 3>,

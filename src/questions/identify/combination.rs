@@ -85,7 +85,8 @@ impl FreeCombination {
 enum Law {
     /// A product of powers of the unknowns, for changes of any size.
     Powers,
-    /// The sum of the unknowns. No predicted slip changes if the relative changes of the unknowns are proportional to `powers`, which keeps this sum.
+    /// The sum of the unknowns. No predicted slip changes if the relative changes of the unknowns are proportional to the list of powers, which keeps
+    /// this sum.
     Sum,
     /// Some other function of the unknowns, known only by its first derivatives.
     Nearby,

@@ -40,7 +40,8 @@ pub(super) struct Scatter {
     pub(super) rows: Vec<f64>,
     /// Estimated from the residuals: the standard deviation common to all slips or, if standard deviations are given, a common factor on them.
     pub(super) scale: f64,
-    /// Whether `rows` contain the factor `scale`. They do if no standard deviations are given, or if the residuals exceed the given ones at 95 %.
+    /// Whether the standard deviations `rows` contain the factor `scale`. They do if no standard deviations are given, or if the residuals exceed the
+    /// given ones at 95 %.
     pub(super) is_estimated: bool,
     /// Degrees of freedom: the number of observations minus the number of combinations of unknowns that they determine.
     pub(super) degrees: usize,

@@ -36,7 +36,7 @@ struct Group {
     tells: DMatrix<f64>,
     /// The matrix (1 - Q)^(-1/2), which corrects for the influence of the group's own residuals on the estimates.
     made_up: DMatrix<f64>,
-    /// The contribution w of the group to the estimated logarithms of the unknowns, corrected by `made_up`.
+    /// The contribution w of the group to the estimated logarithms of the unknowns, corrected by the matrix `made_up`.
     moves: DVector<f64>,
 }
 

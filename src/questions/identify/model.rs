@@ -56,7 +56,7 @@ impl PredictionFailure {
 pub(super) struct Predicted {
     /// The load factor, or the angle of a turning load, rad.
     pub(super) at: f64,
-    /// The derivatives of the logarithm of `at` with respect to the logarithms of the unknowns, if exact derivatives are known.
+    /// The derivatives of the logarithm of this load factor or angle with respect to the logarithms of the unknowns, if exact derivatives are known.
     pub(super) exact: Option<Vec<f64>>,
 }
 

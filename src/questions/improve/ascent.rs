@@ -53,8 +53,8 @@ pub(super) struct LastStep {
     pub(super) step: TrialStep,
     pub(super) events: Vec<SlipEvent>,
     pub(super) bounds: Vec<Constraint>,
-    /// For each edge of a surface, segment or triangle that bounds the step, the index of the contact on this edge. The multipliers of these edges
-    /// follow the multipliers of `bounds` in `step`.
+    /// For each edge of a surface, segment or triangle that bounds the step, the index of the contact on this edge. In the list of multipliers of the
+    /// step, those of these edges follow those of the limits `bounds`.
     pub(super) rooms: Vec<usize>,
 }
 

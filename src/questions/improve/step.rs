@@ -37,16 +37,16 @@ pub(super) struct StepProgram {
 #[derive(Debug, Clone)]
 pub(super) struct TrialStep {
     pub(super) d: DVector<f64>,
-    /// The predicted increase of the least entry of `factors`: by the linearised events, less the curvature term.
+    /// The predicted increase of the least event value: by the linearised events, less the curvature term.
     pub(super) gain: f64,
     /// Multipliers of the events (sticking conditions under loads), at least 0; they add up to one.
     pub(super) events: Vec<f64>,
     pub(super) bounds: Vec<f64>,
-    /// For each variable the multipliers of the lower and upper end of `reach`. A multiplier is zero unless the variable is at that end before the
+    /// For each variable the multipliers of the lower and upper end of its range. A multiplier is zero unless the variable is at that end before the
     /// step.
     pub(super) ends: Vec<[f64; 2]>,
     /// How far the present values are from first-order optimality: the larger of two residuals. The first is the largest entry of `Σ λ ∇τ + Σ ν h`,
-    /// over variables that are not at an end of `reach`. Here λ are the multipliers of the event values τ, and ν those of the constraints
+    /// over variables that are not at an end of their range. Here λ are the multipliers of the event values τ, and ν those of the constraints
     /// `h·d + left >= 0`. The second is the residual of complementarity: the sum of all multipliers, each times the distance of its event or
     /// constraint from being active.
     pub(super) residual: f64,
@@ -62,7 +62,7 @@ struct Solved {
 }
 
 impl StepProgram {
-    /// The solution of the quadratic program with each variable within `radius` of its present value and within `reach`. `None` without a finite
+    /// The solution of the quadratic program in which each variable moves by at most `radius` and stays within its range. `None` without a finite
     /// event value, or if rounding prevents a solution.
     pub(super) fn step(&self, radius: f64, curvature: &DMatrix<f64>) -> Option<TrialStep> {
         let n = self.reach.len();

@@ -13,8 +13,8 @@ use crate::numerics::{largest, mapped, numbered};
 use crate::prelude::*;
 use crate::words::{ALIKE_IN_WORDS, MOST_NAMES, Words, listed};
 
-/// Two contacts nearer to each other than this fraction of the size of the grasp have no room for two fingers. If smaller, fingers that touch are not
-/// mentioned; if larger, neighbouring fingers of a hand are.
+/// Two contacts nearer to each other than this fraction of the size of the grasp have no room for two fingers. With a smaller fraction fingers that
+/// touch are not mentioned; with a larger one neighbouring fingers of a hand are.
 const IN_ONE_PLACE: f64 = 1e-3;
 
 impl<const C: usize> fmt::Display for Improved<C> {

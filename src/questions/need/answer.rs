@@ -4,7 +4,7 @@
 //! with less friction and squeeze (the field `lower`), or with larger loads (the field `safety`). The squeeze is all that presses without a load,
 //! such as commands (prescribed displacements of fingers) and constant forces. The verdict on an amount says whether the grasp meets the demand with
 //! it, or is undecided. At rest means before the loads of the question act. A drive is the motor of a joint, or a tendon. A jump is a sudden motion
-//! of the object under constant load.
+//! of the object under constant load: it slips until a contact catches it, or snaps over, i.e. loses its equilibrium and moves to another one.
 
 use core::fmt;
 

@@ -346,20 +346,21 @@ impl Loading {
 type Along<'a> = &'a (dyn Fn([f64; 3]) -> Ramp<3> + Sync);
 
 /// Number of directions that are tried at once, in parallel. All trials of one group follow the load up to the part carried in the weakest direction
-/// before the group. If larger, most of a group is tried in vain after a direction in which the load is lost; if smaller, cores are idle.
+/// before the group. In a larger group more trials are in vain if one of them finds a direction in which the load is lost; in a smaller one cores are
+/// idle.
 const AT_ONCE: usize = 8;
 
 /// The search for the weakest direction may start from a direction that was weakest with another amount. Its first step is then this fraction of the
-/// first step from an evenly spread direction. If smaller, the search takes more steps to follow the weakest direction from amount to amount; if
-/// larger, the search halves the step more often.
+/// first step from an evenly spread direction. With a smaller fraction the search takes more steps to follow the weakest direction from amount to
+/// amount; with a larger one the search halves the step more often.
 const A_LITTLE: f64 = 0.125;
 
 /// The search for the weakest direction ends once its step is below this angle, rad. If the carried forces form a convex set, the carried part
 /// between two directions this far apart is smaller than in both of them by less than the fraction 1e-6.
 const LAST_STEP: f64 = 1e-3;
 
-/// At a jump of the carried part of the load this angle, rad, replaces [`LAST_STEP`] if at most about 1 % more than the whole load is carried. If
-/// larger, directions in which the load is lost stay unseen within this angle.
+/// At a jump of the carried part of the load this angle, rad, replaces [`LAST_STEP`] if at most about 1 % more than the whole load is carried. With a
+/// larger angle directions in which the load is lost stay unseen within this angle.
 const LAST_STEP_AT_A_JUMP: f64 = 1e-8;
 
 /// The weakest direction is sought near directions in which a smaller part of the load is carried than in their neighbours. This is the upper limit

@@ -256,8 +256,8 @@ impl BatchNeed {
 /// The limits of small motions are multiplied by this factor, so that motions which are small at the sought squeeze do not end the load path.
 ///
 /// A load path stores 1 less the ratio of a motion to its limit. If the factor is much larger, these ratios are lost in rounding, and objects that
-/// leave are followed to distances at which rounding decides. A row then takes seven times as long. If smaller, more rows are searched for as in
-/// [`Grasp::need`].
+/// leave are followed to distances at which rounding decides. A row then takes seven times as long. With a smaller factor more rows are searched for
+/// as in [`Grasp::need`].
 const ANY_MOTION: f64 = 1e6;
 /// Settings may not have larger limits of small motions (rotation in rad, slip as a fraction of the grasp), so that their squares do not overflow.
 const MOST_LIMIT: f64 = 1e50;

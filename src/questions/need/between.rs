@@ -40,8 +40,8 @@ pub(super) fn refined(
 }
 
 /// A golden-section search for the amount that carries the largest fraction of the load, around the best amount so far. While contacts and drives
-/// keep their states, this fraction is a concave function of the squeeze. Thus the search can end once chords of the function prove that its maximum
-/// is below 1.
+/// keep their states, contact forces are linear in squeeze and load. As friction cones are convex, the carried fraction is then a concave function of
+/// the squeeze. Thus the search can end once chords of this function prove that its maximum is below 1.
 fn where_most_is_carried(
     tries: TrialFunctions<'_>,
     vain: &mut Vec<(f64, Trial)>,
@@ -76,7 +76,8 @@ fn where_most_is_carried(
         }
         let [(low, at_low), (high, at_high)] = ends;
         let [one, other] = parts.map(|part| part.unwrap_or(f64::NEG_INFINITY));
-        // A concave function lies below the extensions of its chords, so `most` is an upper bound of its maximum.
+        // The carried fraction as a concave function of the amount lies below the extensions of its chords, so `most` is an upper bound of its
+        // maximum between the ends.
         let gap = inner[1] - inner[0];
         let slope = (other - one) / gap;
         let before = one + (-slope).max(0.0) * (inner[0] - low);

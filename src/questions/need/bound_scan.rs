@@ -5,7 +5,7 @@
 //! Easier amounts are larger if the least amount is sought, smaller if the greatest is sought; harder amounts are the opposite. The scan finds the
 //! far end, which is the last sufficient amount on the easier side of the bound, and further intervals of sufficient amounts. The carried part of the
 //! load is the load factor up to which the demand is met. A bracket consists of a sufficient amount and its insufficient neighbour. A proof that
-//! contact forces cannot balance the loads may exclude all amounts outside a range.
+//! contact forces cannot balance the loads may exclude all amounts outside a range; an end of this range is called proved.
 
 use super::answer::AmountWindow;
 use super::search::{SearchPlan, TrialFunctions};
@@ -34,8 +34,8 @@ pub(super) struct BoundScan {
 
 impl SearchPlan {
     /// The amounts to try on one side of `from`: `count` amounts above it if `up`, else below it, up to a factor of 4 away. On the harder side (less
-    /// squeeze, more load) they extend only to the end of the range that a proof gives, if this end is nearer. If `coarse`, there is one more amount,
-    /// 16 times as large or small as `from`. Amounts outside the range of the plan are not tried.
+    /// squeeze, more load) they extend only to the proved end of the range, if this end is nearer. If `coarse`, there is one more amount, 16 times as
+    /// large or small as `from`. Amounts outside the range of the plan are not tried.
     fn scanned(&self, from: f64, up: bool, count: usize, coarse: bool) -> Vec<f64> {
         let to_the_end = self.end(up).filter(|_| up != self.is_least).map(|end| (end / from).max(from / end));
         let most = to_the_end.filter(|ratio| *ratio > BETWEEN_STATES).map_or(4.0, |ratio| ratio.min(4.0));
@@ -71,9 +71,9 @@ impl BoundScan {
     /// these amounts are new, half of them on each side; the amounts in `known` are included. One more amount, 16 times as large or as small as the
     /// bound, is tried on the harder side (less squeeze, more load), and on the easier side if `far`.
     ///
-    /// On the easier side further amounts are tried. Two lie at the end of the range that a proof gives. If the first amount of the search is far
-    /// easier than the bound, three ([`NEAR_THE_START`]) lie beyond this first amount. If a greatest amount is sought, three lie far below
-    /// ([`TOWARDS_ZERO`]). Nothing is tried if `plan.is_monotone`: every easier amount than a sufficient one is then sufficient, too.
+    /// On the easier side further amounts are tried. Two lie at the proved end of the range. If the first amount of the search is far easier than the
+    /// bound, three ([`NEAR_THE_START`]) lie beyond this first amount. If a greatest amount is sought, three lie far below ([`TOWARDS_ZERO`]).
+    /// Nothing is tried if `plan.is_monotone`: every easier amount than a sufficient one is then sufficient, too.
     pub(super) fn of(
         bound: &Threshold,
         scan: usize,

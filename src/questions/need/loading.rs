@@ -29,7 +29,7 @@ pub(super) struct Loading {
     pub(super) loads: Loads<3>,
     /// The load at rest, which acts before the other loads. The factor `times` does not apply to it.
     pub(super) base: Wrench<3>,
-    /// Factor on `loads`.
+    /// Factor by which the loads are multiplied.
     pub(super) times: f64,
     pub(super) words: Words,
     /// Load paths are followed up to this multiple of the load.

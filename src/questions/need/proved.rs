@@ -1,5 +1,6 @@
-//! Answers of a [`Need`](super::Need) that follow from proofs: all amounts are excluded, all but one, or all beyond the last sufficient one. An
-//! amount (of squeeze, friction, load, arm or angle) is sufficient if the grasp meets the demand with it, e.g. holds the object.
+//! Answers of a [`Need`](super::Need) that follow from proofs that no contact forces balance the loads. Such proofs exclude all amounts, all but one,
+//! or all beyond the last sufficient one. An amount (of squeeze, friction, load, arm or angle) is sufficient if the grasp meets the demand with it,
+//! e.g. holds the object.
 
 use super::answer::{Amount, FarEnd};
 use super::needed::nothing_suffices;
@@ -52,16 +53,16 @@ fn only_amount(plan: &SearchPlan, tries: TrialFunctions<'_>) -> Result<Option<Am
     }))
 }
 
-/// The bracket (a sufficient amount and its insufficient neighbour) at the proved end of the range of amounts, if all tried amounts are sufficient;
-/// `to` is the last amount tried. Beyond the proved end no contact forces balance the loads. `None` if `to` is not at this end, or if the neighbour
-/// is not found insufficient.
+/// The bracket (a sufficient amount and its insufficient neighbour) at the end of the range of amounts, if all tried amounts are sufficient. Beyond
+/// this end a proof shows that no contact forces balance the loads. The argument `to` is the last amount tried; it is the sufficient amount of the
+/// bracket. `None` if this amount is not at the end of the range, or if its neighbour is not found insufficient.
 pub(super) fn at_proved_end(
     to: f64,
     plan: &SearchPlan,
     tries: TrialFunctions<'_>,
 ) -> Result<Option<Threshold>, Error> {
     let (end, outwards) = if plan.is_least { (plan.range.low, -1.0) } else { (plan.range.high, 1.0) };
-    // If `to` is this near to the proved end, the two agree up to rounding.
+    // If the last amount tried, `to`, is this near to the end of the range, the two agree up to rounding.
     let Some(end) = end.filter(|end| (end - to).abs() <= NEGLIGIBLE * to) else { return Ok(None) };
     let beyond = end * (1.0 + outwards * NEGLIGIBLE);
     let trial = tries.at(beyond)?;

@@ -16,8 +16,8 @@ use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::prelude::*;
 use crate::squeeze::Loads;
 
-/// The amounts for which contact forces may balance the loads. If an end is given, a proof excludes all amounts beyond it; beyond an end that is
-/// `None` nothing is proved.
+/// The amounts for which contact forces may balance the loads. If an end is given, it is proved that with an amount beyond it no contact forces
+/// balance the loads; beyond an end that is `None` nothing is proved.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Range {
     pub(super) low: Option<f64>,
@@ -75,8 +75,8 @@ impl Range {
         }
     }
 
-    /// Moves one end of the range inwards: the lower end if `up`, else the upper end. The end moves on as long as a proof shows that, with the amount
-    /// at this end, the load of index `which` is unbalanced.
+    /// Moves one end of the range inwards: the lower end if `up`, else the upper end. The end moves on as long as it is proved that, with the amount
+    /// at this end, no contact forces balance the load of index `which`.
     fn cut(
         &mut self,
         loading: &dyn Fn(f64) -> Result<Loading, Error>,
@@ -97,8 +97,8 @@ impl Range {
             let there = loading(end)?;
             let works = |of: &Loading| of.grasp.engine.work_along(&of.to_balance()[which], &motion);
             let (work, beyond) = (works(&here)?, works(&there)?);
-            // The load does positive work along the motion of the proof at both ends of the range, so no contact forces balance the load at any
-            // amount between these ends.
+            // The load does positive work along the motion that proves it unbalanced at both ends of the range, so no contact forces balance the load
+            // at any amount between these ends.
             if beyond >= 0.0 || at == end {
                 // If proofs from both sides exclude all amounts down to a single amount, this last amount may be excluded due to rounding only.
                 let root = at + (end - at) * (work / (work - beyond));
@@ -119,7 +119,7 @@ impl Range {
 
     /// The least coefficient of friction with which contact forces balance all loads. For a smaller coefficient, a motion along which a load does
     /// positive work, and no contact force negative work, proves that no contact forces balance this load. This work vanishes at the least
-    /// coefficient. Secants of the work give this coefficient more accurately than a bisection on whether a proof exists.
+    /// coefficient. Secants of the work give this coefficient more accurately than a bisection on whether such a motion exists.
     fn least_friction(
         &mut self,
         loading: &dyn Fn(f64) -> Result<Loading, Error>,

@@ -18,11 +18,11 @@ use crate::prelude::*;
 pub(super) struct TrialFunctions<'t> {
     /// Full trials, which include the enumeration of contact states in the search for equilibria.
     pub(super) whole: TrialOf<'t>,
-    /// Like `whole`, but load paths end at the loads of the question. The trial of a sufficient amount then does not tell how far it is from the
+    /// Full trials, but load paths end at the loads of the question. The trial of a sufficient amount then does not tell how far it is from the
     /// bound. A force of any direction is tried only in directions that are known to be weak.
     pub(super) short: TrialOf<'t>,
     /// Quick trials omit the enumeration of many contact states, which is slowest if no equilibrium exists. If only the enumeration can decide, the
-    /// trial is undecided. With the flag `true`, load paths also end at the loads of the question, as in `short`.
+    /// trial is undecided. With the flag `true`, load paths also end at the loads of the question, as in the trials `short`.
     pub(super) quick: &'t dyn Fn(f64, bool) -> Result<Trial, Error>,
     /// Whether the contact states in the equilibrium at rest (before the loads act) differ between two amounts, both with full trials.
     pub(super) rests_otherwise: &'t dyn Fn(f64, f64) -> bool,
@@ -102,12 +102,13 @@ impl SearchPlan {
         self.low() <= amount && amount <= self.high()
     }
 
-    /// The upper (if `up`) or lower end of the range, if a proof excludes all amounts beyond it.
+    /// The upper (if `up`) or lower end of the range, if it is proved that with an amount beyond it no contact forces balance the loads.
     pub(super) fn end(&self, up: bool) -> Option<f64> {
         if up { self.range.high } else { self.range.low }
     }
 
-    /// Whether a proof excludes all amounts above (if `up`) or below this amount, to the accuracy of the proof.
+    /// Whether a proof that contact forces do not balance the loads excludes all amounts above (if `up`) or below this amount, to the accuracy of the
+    /// proof.
     pub(super) fn is_the_end(&self, amount: f64, up: bool) -> bool {
         let [.., nearby] = NEAR_AN_END;
         self.end(up).is_some_and(|end| (amount - end).abs() <= nearby * end.abs())
@@ -150,8 +151,8 @@ impl SearchPlan {
         let from_beyond = |part: f64| insufficient.and_then(|(at, trial)| beyond(*at, trial, part));
         let [nearest, near_enough, nearby] = NEAR_AN_END;
         let likely = |part: f64| self.range.likely.filter(|_| self.is_least).map(|at| at * part);
-        // Relative distance from the estimate of least friction at which an amount on either side is tried. If smaller than the error of that
-        // estimate, both amounts would be on one side of the bound.
+        // Relative distance from the estimate of least friction at which an amount on either side is tried. If this distance were smaller than the
+        // error of that estimate, both amounts would be on one side of the bound.
         let off = 3e-12;
         let near = |part: f64| self.beside_the_end(sufficient, part);
         let guesses = [
@@ -381,7 +382,7 @@ fn first_insufficient(
         factor *= FAR_APART;
         at = if plan.is_least { at / factor } else { at * factor };
         if !plan.contains(at) {
-            // Beyond an end of the range a proof excludes all amounts, so that no trial is needed.
+            // Beyond an end of the range it is proved that contact forces do not balance the loads, so that no trial is needed.
             let says = || Trial::insufficient("no forces of the contacts balance it", NOT_AT_REST);
             break plan.beside_the_end(sufficient, NEAR_AN_END[1]).map(|end| (end, says()));
         }

@@ -21,8 +21,8 @@ pub(super) struct DirectionTrial {
 /// 0.432 > 0.998`. This holds if the carried forces form a convex set, which is not proved where contacts slide.
 const APART: f64 = 0.4;
 
-/// No weaker direction is sought near a direction in which more than this multiple of the load is carried. If smaller, a weakest direction between
-/// evenly spread directions is missed; if larger, load paths are followed farther.
+/// No weaker direction is sought near a direction in which more than this multiple of the load is carried. With a smaller multiple a weakest
+/// direction between evenly spread directions is missed; with a larger one load paths are followed farther.
 pub(super) const CLOSE: f64 = 1.1;
 
 /// For each of the evenly spread directions the indices of its neighbours: two on a circle, four to six on the sphere.

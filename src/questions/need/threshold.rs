@@ -22,7 +22,7 @@ pub(super) type WidthSchedule = &'static [(usize, f64)];
 pub(super) struct Threshold {
     pub(super) sufficient: f64,
     pub(super) insufficient: (f64, Trial),
-    /// An amount between `sufficient` and the amount of `insufficient` whose trial is undecided, and the reason.
+    /// An amount between the sufficient and the insufficient one whose trial is undecided, and the reason.
     pub(super) unknown: Option<(f64, String)>,
 }
 
@@ -175,8 +175,8 @@ struct Narrowing {
     /// The width of the bracket, and the change of the measure in use across the bracket, when this measure was chosen or last found to be smooth.
     /// Later values are compared with them to find out whether the measure jumps at the bound.
     at_first: (f64, Option<f64>),
-    /// Index in `sides` of the end that the last step moved: 0 for the sufficient end, 1 for the insufficient end. `None` before the first step, and
-    /// after every fourth step if the search is slow.
+    /// The end of the bracket that the last step moved: 0 for the sufficient end, 1 for the insufficient end. `None` before the first step, and after
+    /// every fourth step if the search is slow.
     kept: Option<usize>,
     /// Every trial keeps at least a distance from both ends of the bracket. The first entry is this distance, as a fraction of the larger amount. It
     /// grows while steps move the same end; once a step moves the other end, it is reset to the second entry.
@@ -386,8 +386,8 @@ fn signs_differ(sides: &[BracketEnd; 2], which: usize) -> Option<[f64; 2]> {
 /// Relative distances from the bound at which full trials are made in space, if quick trials leave amounts next to the bound undecided. The distances
 /// are used in turn until a trial shows an insufficient amount.
 ///
-/// If smaller, the enumeration of contact states takes longer, or is undecided. If larger, the insufficient amount of the answer is farther from the
-/// bound than necessary.
+/// With smaller distances the enumeration of contact states takes longer, or is undecided. With larger ones the insufficient amount of the answer is
+/// farther from the bound than necessary.
 const APART_WHERE_HARD: [f64; 3] = [1e-4, 1e-3, 1e-1];
 
 /// The width at which a bracket is narrow enough while full trials still find weaker directions of a force (directions in which less of the force is
@@ -400,8 +400,8 @@ const WHERE_DIRECTIONS_ARE_FOUND: WidthSchedule = &[(0, AT_A_JUMP)];
 /// The small distances keep the bracket narrow. The large ones are needed only if full trials find equilibria that quick trials have missed.
 const HARDLY_APART: [f64; 6] = [0.0, 1e-9, 1e-7, 1e-5, 1e-3, 1e-1];
 
-/// A difference of a measure between two amounts is taken as rounding if it is smaller than this number. If smaller, secants follow rounding errors;
-/// if larger, the bracket is halved although a secant would still gain digits.
+/// A difference of a measure between two amounts is taken as rounding if it is smaller than this number. With a smaller number secants follow
+/// rounding errors; with a larger one the bracket is halved although a secant would still gain digits.
 const ROUNDING: f64 = 1e-11;
 
 /// The mean of two amounts. If their ratio exceeds [`FAR_APART`], 4, it is the geometric mean, since arithmetic means approach the smaller amount

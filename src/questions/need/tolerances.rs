@@ -16,12 +16,13 @@ use super::threshold::WidthSchedule;
 ///
 /// The search estimates the bound from both sides. Each time it tries an amount at this distance beyond the estimate; two such trials leave a bracket
 /// that is narrower than [`EXACT`] (1e-12) requires. The search for an end of the range stops once a step moves the end by less than this distance.
-/// If smaller, rounding determines on which side of the bound the trial is. From 5e-13 on, the bracket needs more trials.
+/// With a smaller distance rounding determines on which side of the bound the trial is. From 5e-13 on, the bracket needs more trials.
 pub(super) const LAST_DIGITS: f64 = 1e-13;
 
 /// The search for the least coefficient of friction ends at an interval of this relative width.
 ///
-/// If smaller, rounding determines whether a proof exists. If larger, the end of the range is less accurate, though still proved.
+/// If smaller, rounding determines whether it is proved that contact forces do not balance the loads. If larger, the end of the range is less
+/// accurate, though still proved.
 pub(super) const SAME_COEFFICIENT: f64 = 1e-10;
 
 /// Distances from a proved end of the range, relative to it, at which amounts inside and outside are tried.
@@ -81,7 +82,7 @@ pub(super) const BESIDE_A_BOUND: WidthSchedule = &[(0, 1e-10), (16, 1e-8), (20, 
 
 /// No amount is tried that is more than this number of times larger or smaller than the first amount of the search.
 ///
-/// If the load is sought, load paths are followed up to this multiple. If larger, a search without a sufficient amount takes longer.
+/// If the load is sought, load paths are followed up to this multiple. With a larger number a search without a sufficient amount takes longer.
 pub(super) const MOST_LOADS: f64 = (1u32 << 20) as f64;
 
 /// Relative distance from an end of a bracket up to which a predicted bound may lie outside the bracket.
@@ -111,8 +112,9 @@ pub(super) const BETWEEN: usize = 5;
 /// Upper limit of the number of amounts that are tried after a scan because a margin is predicted to be zero (see [`BEYOND_A_MARGIN`]), or because
 /// the whole load might be carried. They are among the at most [`BETWEEN`] amounts that are tried between the amounts of the scan.
 ///
-/// A margin that falls less and less steeply becomes zero beyond the amount that its first extrapolation predicts. If 1, no second extrapolation is
-/// made, and insufficient amounts beyond this zero are missed. If larger, too few amounts are left to try between different contact states at rest.
+/// A margin that falls less and less steeply becomes zero beyond the amount that its first extrapolation predicts. With the limit 1 no second
+/// extrapolation is made, and insufficient amounts beyond this zero are missed. With a limit above 2 too few amounts are left to try between
+/// different contact states at rest.
 pub(super) const WHERE_MARGINS_VANISH: usize = 2;
 
 /// The first amount of the search may be easier than the bound, such as more squeeze or less load. If it is easier by more than this ratio, still

@@ -14,8 +14,8 @@ use crate::prelude::*;
 /// at rest is carried in full.
 pub(super) const NOT_AT_REST: f64 = -1.0;
 
-/// In the list of directions in which a force was not carried, a new direction replaces the directions within this angle of it, rad. If smaller, the
-/// list fills with directions near one minimum of the carried load; if larger, a second minimum is forgotten.
+/// In the list of directions in which a force was not carried, a new direction replaces the directions within this angle of it, rad. With a smaller
+/// angle the list fills with directions near one minimum of the carried load; with a larger one a second minimum is forgotten.
 const SAME_DIRECTION: f64 = 5e-3;
 
 /// The result of the trial of an amount.
@@ -24,10 +24,10 @@ pub(super) enum Trial {
     Sufficient {
         /// The multiple of the load that is carried with the amount, at least 1; infinite if no loss was found.
         carried: f64,
-        /// A second margin, in addition to the first margin, `carried` less 1. If the loads need only be held ([`Demand::Held`]), it is 1 less the
-        /// largest ratio of a motion to its limit of small motions. If nothing may slide ([`Demand::Sticks`]), it is the least distance, at rest, of
-        /// a contact force from the edge of its friction cone or from zero normal force, divided by the largest contact force. Infinite if it is not
-        /// known.
+        /// A second margin, in addition to the first margin, the carried part of the load less 1. If the loads need only be held ([`Demand::Held`]),
+        /// it is 1 less the largest ratio of a motion to its limit of small motions. If nothing may slide ([`Demand::Sticks`]), it is the least
+        /// distance, at rest, of a contact force from the edge of its friction cone or from zero normal force, divided by the largest contact force.
+        /// Infinite if it is not known.
         other: f64,
     },
     Insufficient {
@@ -97,8 +97,8 @@ impl Trial {
         }
     }
 
-    /// Two measures of the distance from the bound of the sufficient amounts: `carried` less 1, and the second margin `other`. Each measure is zero
-    /// at the bound, unless it jumps at the bound. `None` for a measure that is not known.
+    /// Two measures of the distance from the bound of the sufficient amounts: the carried part of the load less 1, and the second margin. Each
+    /// measure is zero at the bound, unless it jumps at the bound. `None` for a measure that is not known.
     pub(super) fn measures(&self) -> [Option<f64>; 2] {
         match self {
             Self::Sufficient { carried, other } | Self::Insufficient { carried, other, .. } => {

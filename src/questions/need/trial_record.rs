@@ -51,7 +51,8 @@ pub(super) struct TrialRecord<'q> {
     /// Results of quick trials, in which many contact states are not enumerated.
     quick: RefCell<Vec<(f64, Trials)>>,
     refuting: RefutingLoads,
-    /// The range of amounts outside which proofs exclude all amounts. It is computed by the first search and shared by all searches.
+    /// The range of amounts outside which contact forces are proved not to balance the loads. It is computed by the first search and shared by all
+    /// searches.
     range: Cell<Option<Range>>,
 }
 

@@ -203,7 +203,7 @@ impl Needed {
         self.safe_amount(f, (sufficient, &[]), LINE)
     }
 
-    /// Writes that no amount is sufficient, with the proof or the range of amounts tried.
+    /// Writes that no amount is sufficient, and either that contact forces are proved not to balance the loads, or the range of amounts tried.
     fn none(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (words, what) = (Words::of(f), self.quantity);
         let Amount::None { from, to, tried, is_proved, at_rest, .. } = &self.amount else {

@@ -19,7 +19,7 @@ struct Exit<X: Packed> {
     factor: X,
     /// The margin `α F_n - β |F_t|` of the contact at load factor zero, N; see [`StickingCone`].
     margin: X,
-    /// Bound of the rounding error of `margin`, N.
+    /// Bound of the rounding error of the margin, N.
     rounding: X,
     /// Minus infinity if a product of forces is so large or small that squares over- or underflow and the load factor is unknown; else zero.
     lost: X,

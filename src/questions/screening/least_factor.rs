@@ -239,7 +239,7 @@ impl<X: Packed> LeastFactor<X> {
     }
 
     /// For each lane two numbers. First, the least factor on the commands with which all contacts stick under all loads, or a code if there is no
-    /// such factor. Second, the contact and load that determine this factor, encoded as in `binding`.
+    /// such factor. Second, the contact and load that determine this factor, encoded as in the field `binding`.
     #[inline(always)]
     pub(super) fn least(&self) -> (X, X) {
         let (zero, unclear) = (X::all(0.0), X::all(UNCLEAR));

@@ -19,9 +19,9 @@ use crate::prelude::*;
 pub(super) struct Recurrence<'p> {
     /// The last states between cycles, the earliest first.
     places: &'p [CycleState],
-    /// The differences of neighbouring entries of `places`, one entry fewer.
+    /// The differences of neighbouring states, one fewer than states.
     changes: Vec<DVector<f64>>,
-    /// Coefficients c of the combination: the last entry of `changes` is the sum of all entries before it, each multiplied by its coefficient.
+    /// Coefficients c of the combination: the last difference of states is the sum of all differences before it, each multiplied by its coefficient.
     coefficients: Vec<f64>,
 }
 

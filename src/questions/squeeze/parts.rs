@@ -82,16 +82,17 @@ impl<'l> ForceParts<'l> {
         most.map(|(_, contact, condition)| (contact, condition))
     }
 
-    /// The force, N, that commands and vacuums at factor 1 add to `row·F`, the margin of a sticking condition; zero if this is only rounding.
+    /// The force, N, that commands and vacuums at factor 1 add to the margin `row·F` of a sticking condition: F is the contact force, and `row` has
+    /// the coefficients of the condition ([`Condition::row`]). Zero if the added force is only rounding.
     pub(super) fn gain(&self, contact: usize, row: &SVector<f64, 3>) -> f64 {
         let gain = row.dot(&self.squeeze.of[contact]);
         if gain.abs() > ZERO_SLACK * row.norm() * self.squeeze.sizes[contact] { gain } else { 0.0 }
     }
 
-    /// The sticking conditions of a contact with the least margins `row·F` if commands and vacuums are multiplied by `factor`. For a list of loads
-    /// there is one condition under each load. For a force of any direction there is one for each facet of a polygonal cone, and at most one for a
-    /// round cone. Each of these conditions is evaluated in the direction of the force that is worst for it. For a turning load there is one
-    /// condition at each angle where a margin is least.
+    /// The sticking conditions of a contact with the least margins (the values [`Condition::value`]) if commands and vacuums are multiplied by
+    /// `factor`. For a list of loads there is one condition under each load. For a force of any direction there is one for each facet of a polygonal
+    /// cone, and at most one for a round cone. Each of these conditions is evaluated in the direction of the force that is worst for it. For a
+    /// turning load there is one condition at each angle where a margin is least.
     fn worst(&self, contact: usize, factor: f64) -> Vec<Condition> {
         let edges = &self.edges[contact];
         let (squeeze, pressed) = (self.squeeze.of[contact] * factor, self.squeeze.sizes[contact] * factor);

@@ -226,9 +226,10 @@ impl UncertainForce<'_> {
         factor * normal + other
     }
 
-    /// How often, on average, the margin changes from positive to negative as the facet's angle θ grows, per radian. The head of [`super::failure`]
-    /// derives this rate from the reliability of the facet. Here it is multiplied by the second-order correction of the failure probability. `turned`
-    /// is the derivative of the facet with respect to θ.
+    /// The mean number, per radian, of changes of the margin from positive to negative as the angle θ of the facet's direction grows. It is a mean
+    /// over the random errors of the data. The head of [`super::failure`] derives it from the reliability of the facet. Here it is multiplied by the
+    /// field `curved`, the second-order correction of the failure probability. The margin is the product of a facet vector (μ along the normal, -h in
+    /// the tangent plane) and the contact force; `turned` is the derivative of this vector with respect to θ.
     pub(super) fn crossings(&self, margin: &FacetMargin, turned: &SVector<f64, 3>) -> f64 {
         if margin.steepness == 0.0 {
             return 0.0;

@@ -22,8 +22,8 @@ pub(super) struct CoarsePath {
     /// The second path is sometimes restarted near the first. `lost` is a sum over all restarts: the distance between both paths just before the
     /// restart, divided by the largest contact force of the step.
     lost: f64,
-    /// Estimated error of the first path: the largest value so far of the distance between both paths, divided by the largest contact force of
-    /// the step, plus `lost`.
+    /// Estimated error of the first path: the largest value so far of the distance between both paths, divided by the largest contact force of the
+    /// step, plus the sum `lost` over earlier restarts.
     pub(super) farthest: f64,
 }
 

@@ -17,7 +17,7 @@ pub(super) struct StepPace {
     /// Largest change of a contact force in the last step, divided by the largest change that the object's motion would cause if all contacts
     /// stuck.
     pub(super) changed: f64,
-    /// Proposed length of the next step, as a fraction of the leg; it is not yet limited to `longest`.
+    /// Proposed length of the next step, as a fraction of the leg; it is not yet limited to the longest step.
     pub(super) step: f64,
     /// Longest step, as a fraction of the leg: the whole leg, or a quarter revolution of a load that turns. Over a step of a full revolution the load
     /// would seem unchanged.

@@ -21,8 +21,8 @@ use crate::words::printable;
 pub(crate) struct Linkage {
     pub(crate) joints: Vec<NamedPart>,
     pub(crate) tendons: Vec<NamedPart>,
-    /// Reference lengths by which the displacements of joints and other bodies are multiplied, so that all coordinates are lengths. Entries of the
-    /// object's coordinates are 1.
+    /// Factors by which the displacements of joints and other bodies are multiplied, so that all coordinates are lengths: m per rad for a rotation,
+    /// without unit for a translation. Entries of the object's coordinates are 1.
     pub(crate) lengths: Vector,
     /// For each contact the coordinates of joints and other bodies that move it, as pairs. A pair has the index of a coordinate, counted from the
     /// first one after the object's coordinates. It also has the displacement of the contact along x, y and z per unit of this coordinate.
