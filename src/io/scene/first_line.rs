@@ -268,9 +268,9 @@ fn followed<const C: usize>(path: &PathAnswer<C>, words: Words) -> String {
     };
     let mut from_start = start.map_or(Vec::new(), sliding);
     // A contact that begins to slide at the very end of the path has no event there, and has not slipped yet.
-    let is_moved = |state: &&Equilibrium<C>| state.contacts.iter().any(|contact| contact.slip.norm() > 0.0);
+    let is_moved = |state: &Equilibrium<C>| state.contacts.iter().any(|contact| contact.slip.norm() > 0.0);
     let mut at_the_end = Vec::new();
-    if path.events.is_empty() && start.filter(is_moved).is_none() {
+    if path.events.is_empty() && start.is_none_or(|start| !is_moved(start)) {
         core::mem::swap(&mut from_start, &mut at_the_end);
     }
     let opens = path.events.iter().find_map(|event| {

@@ -206,23 +206,31 @@ impl Engine {
             return Ok((verdict, of_the_path));
         }
         let there = state.as_ref().or_else(|| verdict.lost.as_ref()?.state.as_deref());
-        let rest = rest.filter(|_| ramp.command_change.is_none() && ramp.joint_change.is_none());
-        // `part` is minus the fraction of the springs' resistance that contact forces take away; at -1 or less nothing resists, and the grasp
-        // buckles. This number is computed without regard to the points at which the load acts. If the points of action are known, the path has
-        // already decided whether the grasp buckles, and a contradicting `part` is dropped.
-        let is_open = |part: &f64| *part > -1.0 || !self.may_buckle(&ramp.load_at(1.0));
-        let by_the_load = rest
-            .zip(there)
-            .and_then(|(rest, there)| self.left_out_by_small_motions(&rest, there))
-            .filter(is_open);
-        let by_forces = there.and_then(|there| self.taken_by_forces(there, &ramp.load_at(held_to.min(1.0))));
-        let by_all = by_the_load.into_iter().chain(by_forces).min_by(f64::total_cmp);
+        let by_all = self.left_out_of(ramp, rest.as_ref(), there, held_to);
         // A grasp that buckles before the whole load acts is not also reported as near to buckling.
         verdict.left_out = by_all.filter(|_| state.is_some() || !buckles);
         self.let_swing(&mut verdict, ramp, settings);
         verdict.caught = CaughtJump::among(self.wholes(), &events);
         verdict.state = state.map(Box::new);
         Ok((verdict, of_the_path))
+    }
+
+    /// [`Verdict::left_out`] for the equilibria under the base load (`rest`) and under the whole load or at the loss (`there`).
+    fn left_out_of(
+        &self,
+        ramp: &Ramp<3>,
+        rest: Option<&Equilibrium<3>>,
+        there: Option<&Equilibrium<3>>,
+        held_to: f64,
+    ) -> Option<f64> {
+        let rest = rest.filter(|_| ramp.command_change.is_none() && ramp.joint_change.is_none());
+        // The first fraction leaves the load out. If the points of action of the load are known, the path has already decided whether the grasp
+        // buckles, and a fraction of -1 or less, which contradicts that decision, is dropped.
+        let is_open = |part: &f64| *part > -1.0 || !self.may_buckle(&ramp.load_at(1.0));
+        let by_the_load =
+            rest.zip(there).and_then(|(rest, there)| self.left_out_by_small_motions(rest, there));
+        let by_forces = there.and_then(|there| self.taken_by_forces(there, &ramp.load_at(held_to.min(1.0))));
+        by_the_load.filter(is_open).into_iter().chain(by_forces).min_by(f64::total_cmp)
     }
 
     /// The [`Holding`] if the path ended before it reached the whole load: equilibrium was lost or not found at the start, or the path is undecided.

@@ -11,7 +11,7 @@ use super::loaded::LoadSet;
 use super::question::Improve;
 use super::tolerances::{AT_ITS_LIMIT, ROUNDED_MULTIPLIER};
 use crate::ask::Grasp;
-use crate::equilibrium::Outcome;
+use crate::equilibrium::{Outcome, TooFar};
 use crate::error::Error;
 use crate::grasp::{Hold, inside, outside};
 use crate::numerics::tolerances::NEGLIGIBLE;
@@ -144,32 +144,33 @@ impl Improve<3> {
         };
         (answer.after, answer.search) = (Some(design.value), search);
         answer.contacts = placed(&design_space, &design);
-        let is_at_its_limit = |i: usize| {
-            let (force, mu) = (design.parts[0].at_rest(i), design_space.contacts[i].friction);
-            let sticks = mu.is_infinite() || design_space.contacts[i].hold == Hold::Bonded;
-            let most = mu * force[0];
-            !sticks && most > 0.0 && force[1].hypot(force[2]) >= most * (1.0 - AT_ITS_LIMIT)
-        };
-        answer.at_their_limit = design_space.wholes.with(&is_at_its_limit);
+        answer.at_their_limit = design_space.wholes.with(&|i| is_at_its_limit(&design_space, &design, i));
         if let Some(last) = last {
             answer.residual = Some(last.step.residual);
             answer.in_the_way = in_the_way(&design_space, &design, &last);
         }
-        let best = answer.placed_inside(&grasp)?;
+        answer.too_far = self.too_far(&answer.placed_inside(&grasp)?, &loads, design.value)?;
+        Ok(answer)
+    }
+
+    /// The reason why motions of this grasp are not small, or why it buckles: at rest, under one of the loads, or at the first slip, which comes at
+    /// `value` times the loads.
+    fn too_far(&self, best: &Grasp<3>, loads: &Loads<3>, value: f64) -> Result<Option<TooFar>, Error> {
         let mut whole_loads = vec![self.base()];
-        if let Loads::Each(list) = &loads {
-            let first_slip =
-                answer.after.filter(|after| self.goal() == ImproveGoal::FirstSlip && after.is_finite());
-            for factor in [Some(1.0), first_slip].into_iter().flatten() {
+        if let Loads::Each(list) = loads {
+            let is_first_slip = self.goal() == ImproveGoal::FirstSlip && value.is_finite();
+            for factor in [Some(1.0), is_first_slip.then_some(value)].into_iter().flatten() {
                 whole_loads.extend(mapped(list, &|load| self.base() + *load * factor));
             }
         }
         for load in whole_loads {
-            if let Outcome::Equilibrium(state) = best.solve(load)? {
-                answer.too_far = answer.too_far.or(state.too_far);
+            if let Outcome::Equilibrium(state) = best.solve(load)?
+                && state.too_far.is_some()
+            {
+                return Ok(state.too_far);
             }
         }
-        Ok(answer)
+        Ok(None)
     }
 }
 
@@ -197,6 +198,14 @@ impl Improved<3> {
         }
         Ok(Grasp::new(contacts)?.with(grasp.settings()))
     }
+}
+
+/// Whether a contact uses all its friction at rest.
+fn is_at_its_limit(design_space: &DesignSpace<'_>, design: &EvaluatedDesign, i: usize) -> bool {
+    let (force, contact) = (design.parts[0].at_rest(i), &design_space.contacts[i]);
+    let sticks = contact.friction.is_infinite() || contact.hold == Hold::Bonded;
+    let most = contact.friction * force[0];
+    !sticks && most > 0.0 && force[1].hypot(force[2]) >= most * (1.0 - AT_ITS_LIMIT)
 }
 
 fn placed(design_space: &DesignSpace<'_>, design: &EvaluatedDesign) -> Vec<Placed<3>> {

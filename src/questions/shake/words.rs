@@ -53,12 +53,9 @@ impl<const C: usize> Shaken<C> {
         let (words, digits) = (Words::of(f), Words::of(f).precision());
         match &self.repeats {
             Repeats::Rests { after: 0, .. } => {
-                match self.slides_and_yields(&[]) {
-                    yields if yields.is_empty() => {
-                        f.write_str("RESTS: nothing slides as the load repeats")?
-                    }
-                    yields => write!(f, "RESTS: no contact slides as the load repeats, but {yields}")?,
-                }
+                let yields = self.slides_and_yields(&[]);
+                let (what, but) = if yields.is_empty() { ("nothing", "") } else { ("no contact", ", but ") };
+                write!(f, "RESTS: {what} slides as the load repeats{but}{yields}")?;
                 self.write_opens(f)
             }
             Repeats::Rests { after, slid } => {
