@@ -139,7 +139,7 @@ fn a_weight_at_rest_steadies_only_where_it_is_known_to_hang() -> Result<(), Erro
     let hung = |depth: f64| grasp.hold(Ramp::load(Wrench::force_at(weight, [0.0, -depth]), load));
     let needed = 0.4 * stiffness * half * half / 20.0;
     assert_eq!([0.99, 1.01].map(|part| hung(part * needed).unwrap().holds()), [Some(false), Some(true)]);
-    let unknown = grasp.hold(Ramp::load(Wrench::force(weight), load))?;
+    let unknown = grasp.hold(Ramp::load(Wrench::new(weight, 1e-6), load))?;
     assert_eq!((unknown.holds(), unknown.sticks()), (None, None), "{unknown}");
     assert!(unknown.to_string().starts_with("BUCKLES unless the load acts where it steadies"), "{unknown}");
     Ok(())
@@ -183,7 +183,7 @@ fn a_tall_weight_on_soft_feet() {
             "{verdict}"
         );
         assert_eq!(verdict.left_out.is_some(), taken.is_some(), "{verdict}");
-        // If only the line of action of a load is known, its height is unknown, and so is the stiffness that it takes away.
+        // At the height of the feet, where the origin lies, the weight takes nothing away.
         assert_eq!(grasp.hold(Wrench::force([0.0, -part * critical])).unwrap().left_out, None);
     }
 }

@@ -52,6 +52,7 @@ fn check<const C: usize>(rows: &[Row<C>], settings: &Settings) -> [usize; 7] {
         // The words of the columns appear in the sentence.
         let words = verdict.to_string();
         let begins = match (short.holds(), short.motion) {
+            _ if verdict.swing.is_some() => "SWINGS".to_owned(),
             (Some(true), _) => "HOLDS".to_owned(),
             (Some(false), Some(verb)) if short.how == VerdictKind::Lost => verb.to_string(),
             (Some(false), _) => "DOES NOT HOLD".to_owned(),

@@ -1057,6 +1057,9 @@ def warnings(scene: str | Mapping[str, Any]) -> list[str]:
 def wrench(force: ArrayLike, moment: ArrayLike | None = None, *, at: ArrayLike | None = None) -> np.ndarray[Any, np.dtype[np.float64]]:
     """A load of a force (N) at a point and a moment (N m), reduced to the origin: shape (3,) in the plane and (6,) in space.
 
+    The array has the line of action alone. Whether a grasp buckles or turns over depends on the point, too, which a mapping keeps:
+    ``{"force": ..., "at": ...}``.
+
     :param force: the force, N, shape (2,) or (3,).
     :param moment: moment in addition to that of the force about the origin, N m: one number in the plane, shape (3,) in space.
     :param at: the point on which the force acts, m, of the shape of the force; the origin by default.

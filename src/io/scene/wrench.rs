@@ -2,7 +2,7 @@
 //!
 //! `{"force": [0, -1], "moment": 0.2}` in the plane, `{"force": [0, 0, -1], "moment": [0, 0.1, 0]}` in space. Parts that are left out are zero.
 //! `"at": [0.1, 0]` lets the force act at a point other than the origin; the moment of this force about the origin is added. If a force and a moment
-//! are given without `"at"`, only the line of action of the force is known, not the point on it at which the force acts.
+//! other than zero are given without `"at"`, only the line of action of the force is known, not the point on it at which the force acts.
 
 use nalgebra::SVector;
 use serde::de::{Deserialize, Deserializer};
@@ -110,9 +110,7 @@ impl<'de, const C: usize> Deserialize<'de> for Wrench<C> {
                     "at: is given without a force or a mass, must be left out: a moment acts anywhere".into(),
                 );
             }
-            // The point of action is known if `at` is given, or if a force alone is given, which then acts at the origin. If a force and a moment are
-            // given without `at`, only the line of action is known.
-            if at.is_some() || (force.is_some() && moment.is_none()) {
+            if at.is_some() {
                 let at = vector_of_field(at.as_ref(), axes, "at")?;
                 let force = |a: usize| if a < axes { wrench[a] } else { 0.0 };
                 let force: SVector<f64, 3> = by_axis(force);

@@ -184,8 +184,12 @@ impl<const C: usize> Wrench<C> {
     pub const ZERO: Self = Self(NOTHING, PointsOfAction::NO_FORCE);
 
     fn of_all(all: SVector<f64, 6>) -> Self {
-        let is_moment = all.as_slice()[..C].iter().all(|force| *force == 0.0);
-        Self(all, if is_moment { PointsOfAction::NO_FORCE } else { PointsOfAction::UNKNOWN })
+        // A force without a moment about the origin acts at the origin, where the sum `Σ F rᵀ` is zero as without a force. Of any other force only the
+        // line of action is known.
+        let is_zero = |part: &[f64]| part.iter().all(|component| *component == 0.0);
+        let (force, moment) = all.as_slice().split_at(C);
+        let is_known = is_zero(force) || is_zero(moment);
+        Self(all, if is_known { PointsOfAction::NO_FORCE } else { PointsOfAction::UNKNOWN })
     }
 
     /// The wrench of a force, N, that acts at a point, m.
@@ -218,13 +222,14 @@ impl<const C: usize> Wrench<C> {
 }
 
 impl Wrench<2> {
-    /// A force (x, y) through the origin, N, and a moment about it, from x to y, N m.
+    /// A force (x, y) through the origin, N, and a moment about it, from x to y, N m. If the moment is not zero, only the line of action of the force is
+    /// known, and not the point at which it acts, on which [buckling](crate::equilibrium::TooFar::Buckles) depends; [`Self::force_at`] keeps it.
     pub fn new(force: impl Into<[f64; 2]>, moment: f64) -> Self {
         let [x, y] = force.into();
         Self::from_vector([x, y, moment])
     }
 
-    /// A force through the origin, N, without a moment.
+    /// A force at the origin, N.
     pub fn force(force: impl Into<[f64; 2]>) -> Self {
         Self::new(force, 0.0)
     }
@@ -255,13 +260,14 @@ impl Wrench<2> {
 }
 
 impl Wrench<3> {
-    /// A force (x, y, z) through the origin, N, and a moment (x, y, z) about it, N m.
+    /// A force (x, y, z) through the origin, N, and a moment (x, y, z) about it, N m. If the moment is not zero, only the line of action of the force is
+    /// known, and not the point at which it acts, on which [buckling](crate::equilibrium::TooFar::Buckles) depends; [`Self::force_at`] keeps it.
     pub fn new(force: impl Into<[f64; 3]>, moment: impl Into<[f64; 3]>) -> Self {
         let (f, m) = (force.into(), moment.into());
         Self::from_vector([f[0], f[1], f[2], m[0], m[1], m[2]])
     }
 
-    /// A force through the origin, N, without a moment.
+    /// A force at the origin, N.
     pub fn force(force: impl Into<[f64; 3]>) -> Self {
         Self::new(force, [0.0; 3])
     }
