@@ -19,7 +19,7 @@ use super::contact_answer::{ContactAnswer, ContactState};
 use crate::grasp::{Engine, Hold, PointsOfAction, Site, Wrench, size_of};
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::numerics::{IntoList, PositiveBand, Square, chosen, dot, mapped, matrix_of, symmetric_eigen};
-use crate::object::{tangent_stiffness, uses_band};
+use crate::object::tangent_stiffness;
 use crate::prelude::*;
 use crate::words::LinkKind;
 
@@ -58,7 +58,8 @@ impl Engine {
     /// resist. This value is -1/t for the least t for which `K + t K_g` is not positive definite. K is the stiffness if all closed contacts
     /// stick, and K_g the geometric stiffness of the contact forces.
     ///
-    /// `None` if the size of the fraction is below a half. `None` also for a grasp of so many coordinates that it is solved with band matrices.
+    /// `None` if the size of the fraction is below a half. `None` also for a grasp with more than
+    /// [`MOST_COORDINATES`].
     /// Cables and springs between two bodies are treated as if they were infinitely long, so that their forces keep their directions.
     pub(crate) fn taken_by_forces(&self, there: &Equilibrium<3>, load: &Wrench<3>) -> Option<f64> {
         let (mut stable, mut unstable) = (0.0, 1.0 / LEAST_TAKEN);
@@ -85,14 +86,19 @@ impl Engine {
     }
 
     /// Whether the grasp buckles in an equilibrium with these contacts under this load. Also false if the load's points of action are unknown, or if
-    /// the grasp is solved with band matrices.
+    /// the grasp has more than [`MOST_COORDINATES`].
     pub(super) fn buckles_in(&self, contacts: &[ContactAnswer<3>], load: &Wrench<3>) -> bool {
         self.may_buckle(load) && self.buckles(&forces_in(contacts), &is_open_in(contacts), load)
     }
 
-    /// Whether [`Self::buckles`] answers for this load: its points of action are known, and the grasp is not solved with band matrices.
+    /// Whether [`Self::buckles`] answers for this load: its points of action are known, and the grasp has at most [`MOST_COORDINATES`].
     pub(crate) fn may_buckle(&self, load: &Wrench<3>) -> bool {
-        !uses_band(size_of(self.sites())) && self.acts_at_known_points(load)
+        self.is_asked_for_buckling() && self.acts_at_known_points(load)
+    }
+
+    /// Whether the grasp has at most [`MOST_COORDINATES`], so that it is asked whether it buckles.
+    pub(crate) fn is_asked_for_buckling(&self) -> bool {
+        size_of(self.sites()).count() <= MOST_COORDINATES
     }
 
     /// Whether the points of action of the load on every body are known.
@@ -102,7 +108,7 @@ impl Engine {
 
     /// Two matrices: the stiffness K if all closed contacts stick, and the geometric stiffness K_g. `None` unless K is positive definite, and `K + t
     /// K_g` is not, for t = `times`. Motions that springs do not resist cannot buckle here: K gets a stiffness along them as large as its largest
-    /// eigenvalue, and K_g none. `None` also if the grasp has so many coordinates that it is solved with band matrices.
+    /// eigenvalue, and K_g none. `None` also if the grasp has more than [`MOST_COORDINATES`].
     fn unstable_at(
         &self,
         times: f64,
@@ -111,7 +117,7 @@ impl Engine {
         load: &Wrench<3>,
     ) -> Option<(Square, Square)> {
         let size = size_of(self.sites());
-        if uses_band(size) {
+        if !self.is_asked_for_buckling() {
             return None;
         }
         let springs =
@@ -216,6 +222,11 @@ fn is_open_in(contacts: &[ContactAnswer<3>]) -> impl Fn(usize) -> bool + Sync + 
 pub(crate) fn forces_in(contacts: &[ContactAnswer<3>]) -> Vec<SVector<f64, 3>> {
     mapped(contacts, &|answer| answer.force_world)
 }
+
+/// Number of coordinates up to which a grasp is asked whether it buckles: forty bodies in the plane, twenty in space.
+///
+/// If larger, each equilibrium takes longer, as the cube of this number. If smaller, stacks and linkages that buckle are said to hold.
+const MOST_COORDINATES: usize = 120;
 
 /// The least size of the fraction that [`Engine::taken_by_forces`] returns. A smaller value would add a caution to ordinary squeezes of soft fingers;
 /// a larger value would leave too little reserve before the grasp buckles.

@@ -62,7 +62,7 @@ impl<const C: usize> Question<C> {
     }
 }
 
-const HOWEVER_FAR: &str = "however far the load goes";
+const HOWEVER_FAR: &str = "however far the load goes; `hold` says whether it buckles or moves too far before";
 
 fn at_factor(factor: f64, words: Words) -> String {
     format!("factor {}", words.number(factor))

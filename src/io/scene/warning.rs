@@ -34,6 +34,8 @@ pub enum Warning {
     /// The grasp buckles at rest: as parts turn, the forces that act on them drive them on more strongly than the springs resist. Answers for small
     /// motions do not apply. `hold`, `need` and `follow` say so in their first line.
     BucklesAtRest,
+    /// The grasp has so many coordinates that no question asks whether it buckles.
+    BucklingNotAsked,
     /// Without load a contact presses with another force than its `pressed_with`. That field only sets the stretch of the contact's springs before
     /// the object moves.
     PressesOtherwise {
@@ -237,6 +239,9 @@ impl Setup<3> {
             warnings.push(if weighs_nothing { Warning::NoGravity } else { Warning::NothingPresses });
         }
         warnings.extend(self.buckles_at_rest(&grasp)?);
+        if !grasp.engine.is_asked_for_buckling() {
+            warnings.push(Warning::BucklingNotAsked);
+        }
         warnings.extend(self.otherwise_at_rest(&grasp)?);
         warnings.extend(self.same_names());
         Ok(warnings)

@@ -20,6 +20,9 @@ impl fmt::Display for Warning {
                 "no finger presses: every command is zero or missing, so that friction has nothing to act on; say `command` or `pressed_with`",
             ),
             Self::BucklesAtRest => f.write_str(BUCKLES_AT_REST),
+            Self::BucklingNotAsked => f.write_str(
+                "with so many bodies it is not asked whether they buckle, which a slender or soft stack may do at a smaller load",
+            ),
             Self::NoGravity => f.write_str(
                 "bodies have a `mass`, but the scene has no `gravity`: nothing weighs, and nothing else presses",
             ),
