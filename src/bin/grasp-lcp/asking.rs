@@ -15,6 +15,7 @@ use grasp_lcp::words::{Unit, Words};
 use crate::arguments::{Command, SceneArguments};
 use crate::command_question::put;
 use crate::failure::{EXIT_UNDECIDED, Failure};
+use crate::in_units::refuse_turning;
 use crate::own_masses::shared_centre;
 use crate::progress_line::ProgressLine;
 use crate::words::Style;
@@ -35,6 +36,7 @@ pub(crate) fn ask_of(
     let unit = ask.unit.unwrap_or(scene.unit);
     asked.lengths_to_metres(unit);
     if let Some(centre) = shared_centre(&scene.setup) {
+        refuse_turning(&asked)?;
         asked.act_at(&centre);
     }
     let (given, asked) = (scene.clone(), &asked);
