@@ -12,6 +12,8 @@ const ALIKE_IN_ONE_PLACE: &str =
     "are in one place, with parallel normals: a finger that is there twice is twice as stiff";
 const BUCKLES_AT_REST: &str = "BUCKLES at rest already: as the forces turn with the parts they act on, they take all that resists; answers for small motions do not apply";
 
+const BUCKLING_NOT_ASKED: &str = "with so many bodies it is not asked whether they buckle, which a slender or soft stack may do at a smaller load";
+
 impl fmt::Display for Warning {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let words = Words::of(f);
@@ -20,9 +22,7 @@ impl fmt::Display for Warning {
                 "no finger presses: every command is zero or missing, so that friction has nothing to act on; say `command` or `pressed_with`",
             ),
             Self::BucklesAtRest => f.write_str(BUCKLES_AT_REST),
-            Self::BucklingNotAsked => f.write_str(
-                "with so many bodies it is not asked whether they buckle, which a slender or soft stack may do at a smaller load",
-            ),
+            Self::BucklingNotAsked => f.write_str(BUCKLING_NOT_ASKED),
             Self::NoGravity => f.write_str(
                 "bodies have a `mass`, but the scene has no `gravity`: nothing weighs, and nothing else presses",
             ),
