@@ -548,7 +548,7 @@ class Improved(Answer):
 
     @property
     def at_their_limit(self) -> list[str]:
-        """Names of the contacts that use all their friction at rest: with a little less, or with rounded places, the grasp is lost before any load."""
+        """Names of the contacts that use all their friction at rest. With a little less, or rounded places, the grasp is lost before any load."""
         return [part["label"] for part in self._tree.get("at_their_limit", [])]
 
     def _placed(self, name: str) -> Array:

@@ -164,8 +164,9 @@ def hold_batch(
 
     Shapes are as in :func:`onsets`, with ``load`` in place of ``direction``. Rows in which everything sticks take a few microseconds,
     rows in which contacts slide and none opens ten to a hundred. The load of any other row is followed as by :meth:`Grasp.hold`, in some 50 µs to
-    a few milliseconds. The verdict of each row is that of :meth:`Grasp.hold`; its factors may differ by the error of steps along arcs. Loads
-    of rows have no points of action, so that buckling is asked for at rest alone, and turning over not at all. The bits do not depend on the number of threads.
+    a few milliseconds. The verdict of each row is that of :meth:`Grasp.hold`; its factors may differ by the error of steps along arcs. The
+    bits do not depend on the number of threads. A load without a moment acts at the origin, where buckling and turning over are asked for. Of any
+    other load the point of action is not known, and buckling is asked for at rest alone.
 
     :param load: load that grows from 0 on top of the base, N and N m, shape (..., c) or (..., d).
     :param base: load at rest; zero unless given.
@@ -212,7 +213,7 @@ def need_batch(
 
     With ``sticks`` everything must stick, and a row takes a few microseconds. Otherwise contacts may slide, and each row needs one load path up to
     the loss. Rows whose amount depends on a base load, a clearance or the limits of small motions are searched as by :meth:`Grasp.need`. As in
-    :func:`hold_batch`, buckling is asked for at rest alone, and turning over not at all.
+    :func:`hold_batch`, buckling and turning over are asked for under loads without a moment.
 
     :param quantity: ``"squeeze"`` or ``"load"``.
     :param sticks: whether nothing may slide.
