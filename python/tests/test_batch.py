@@ -94,8 +94,8 @@ def test_bad_rows_are_told_and_stop_nothing() -> None:
     pulls = np.array([[0, 0, -1.0], [0, np.nan, 0], [1.0, 0, 0]])
     table = onsets(points[:, None], normals[:, None], pulls, **(given | {"friction": friction[:, None]}))
     assert (table.status[[0, 6, 7], 1] == nan).all() and table.factor[0, 0] == found.factor[0]
-    nothing = np.zeros((2, 0, 2))
-    assert (onsets(nothing, nothing, [0, -1.0], **SPRINGS).status == bad).all()
+    nothing = np.zeros((2, 0, 3))
+    assert (onsets(nothing, nothing, [0, 0, -1.0], **SPRINGS).status == bad).all()
     masked = np.ma.masked_array(points, mask=np.zeros_like(points, dtype=bool))
     masked[0, 0, 0] = np.ma.masked
     assert onsets(masked, normals, [0, 0, -1.0], **given).status[0] == nan
