@@ -44,6 +44,20 @@ fn a_force_that_may_point_up() -> Result<(), Error> {
     Ok(())
 }
 
+/// With the load that is taken, the forces of the fingers take N/(k a) of what resists. The answer says so from a half on.
+#[test]
+fn what_the_forces_take_is_said_beside_the_amount() -> Result<(), Error> {
+    for (part, is_said) in [(0.4, false), (0.6, true)] {
+        let push = Wrench::force_at([0.0, -1.0], [0.0, 0.0]);
+        let needed = bar(part * STIFFNESS * HALF)?.need(&Need::load(push))?;
+        assert_eq!(needed.left_out.is_some(), is_said, "{needed}");
+        assert!(needed.left_out.is_none_or(|taken| (taken + part).abs() < 1e-6), "{needed}");
+        let words = "they take 60 % of what resists, and motions are up to 2.5 times as large";
+        assert_eq!(needed.to_string().contains(words), is_said, "{needed}");
+    }
+    Ok(())
+}
+
 /// A batch finds neither a load nor a squeeze with which everything sticks where the bar buckles, as the search for a single grasp.
 #[test]
 fn amounts_of_a_batch() -> Result<(), Error> {

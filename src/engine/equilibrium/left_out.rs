@@ -58,7 +58,7 @@ impl Engine {
     /// resist. This value is -1/t for the least t for which `K + t K_g` is not positive definite. K is the stiffness if all closed contacts
     /// stick, and K_g the geometric stiffness of the contact forces.
     ///
-    /// `None` if the size of the fraction is below a half. `None` also for a grasp with more than
+    /// `None` if the size of the fraction is below [`LEAST_TAKEN`]. `None` also for a grasp with more than
     /// [`MOST_COORDINATES`].
     /// Cables and springs between two bodies are treated as if they were infinitely long, so that their forces keep their directions.
     pub(crate) fn taken_by_forces(&self, there: &Equilibrium<3>, load: &Wrench<3>) -> Option<f64> {

@@ -59,9 +59,9 @@ pub struct Verdict<const C: usize> {
     /// of the change ΔW of the load along the motion q. Below 0 the squeeze lowers the resistance, because its arms turn with the object; at -1 or
     /// less no resistance is left. This fraction is not computed for several bodies, nor if commands or joints change with the load.
     ///
-    /// A second number replaces this fraction if it is lower and at most -1/2. It is minus the largest fraction of the springs' resistance to any
+    /// A second number replaces this fraction if it is lower and at most -0.5. It is minus the largest fraction of the springs' resistance to any
     /// motion that the forces under the whole load take away. At -1 the grasp buckles. If the points of action of the load are known, the verdict
-    /// ends there, with [`TooFar::Buckles`]. `None` if the fraction is between -0.1 and 0.1 and the second number above -1/2, and if the grasp
+    /// ends there, with [`TooFar::Buckles`]. `None` if the fraction is between -0.1 and 0.1 and the second number above -0.5, and if the grasp
     /// buckles before the whole load acts.
     #[cfg_attr(
         feature = "serde",

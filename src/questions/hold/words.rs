@@ -18,6 +18,23 @@ use crate::words::{LinkKind, MOST_NAMES, Words, listed, open, opens, printable};
 /// Appended to the sentence if motions pass the limit of small motions.
 const NO_LONGER_SMALL: &str = "; beyond this, results for small motions no longer apply";
 
+/// The clause about contact forces that turn with the parts they act on. By turning they add to the resistance of the springs or take from it. `part` is
+/// the change as a fraction of this resistance, see [`Verdict::left_out`]. If the fraction f is taken away, motions are up to 1/(1 - f) times as large.
+pub(crate) fn taken_by_forces(part: f64) -> String {
+    let words = Words::with_digits(2);
+    let (verb, times, so) = if part > 0.0 {
+        ("add", format!("{} % to", words.number(100.0 * part)), String::new())
+    } else if part > -1.0 {
+        let larger = words.upwards().number(1.0 / (1.0 + part));
+        let so = format!(", and motions are up to {larger} times as large");
+        ("take", format!("{} % of", words.number(-100.0 * part)), so)
+    } else {
+        let times = words.number(-part);
+        ("take", if times == "1" { "all of".to_owned() } else { format!("{times} times") }, String::new())
+    };
+    format!("as the forces turn with the parts they act on, they {verb} {times} what resists{so}")
+}
+
 /// Writes the sentence about an object that swings until it hangs.
 fn write_swing<const C: usize>(f: &mut fmt::Formatter<'_>, swing: &Motion<C>) -> fmt::Result {
     let words = Words::of(f);
@@ -41,7 +58,7 @@ impl<const C: usize> fmt::Display for Verdict<C> {
             write!(
                 f,
                 "BUCKLES unless the load acts where it steadies the object, which is not known without its point of action: {}. Otherwise ",
-                self.taken_by_forces()
+                taken_by_forces(self.left_out.unwrap_or_default())
             )?;
         }
         match &self.holding {
@@ -129,27 +146,12 @@ impl<const C: usize> Verdict<C> {
         is_held && self.left_out.is_some_and(|part| part <= -1.0)
     }
 
-    /// The clause about contact forces that turn with the parts they act on. By turning they add to the resistance of the springs or take from it.
-    /// [`Verdict::left_out`] has the change as a fraction of this resistance; it is negative if the forces take from it.
-    fn taken_by_forces(&self) -> String {
-        let (part, words) = (self.left_out.unwrap_or_default(), Words::with_digits(2));
-        let (verb, times) = if part > 0.0 {
-            ("add", format!("{} % to", words.number(100.0 * part)))
-        } else if part > -1.0 {
-            ("take", format!("{} % of", words.number(-100.0 * part)))
-        } else {
-            let times = words.number(-part);
-            ("take", if times == "1" { "all of".to_owned() } else { format!("{times} times") })
-        };
-        format!("as the forces turn with the parts they act on, they {verb} {times} what resists")
-    }
-
     /// Writes the caution about the geometric stiffness (the change of contact forces as the parts turn), which the theory of small motions neglects.
     /// Writes nothing if [`Verdict::left_out`] is `None`, or if another sentence says that buckling remains open ([`Self::leaves_buckling_open`]).
     fn write_caution(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Some(part) = self.left_out.filter(|_| !self.leaves_buckling_open()) else { return Ok(()) };
         let nothing_stays = if part <= -1.0 { ", so that nothing stays" } else { "" };
-        write!(f, ". CAUTION, left out: {}{nothing_stays}", self.taken_by_forces())
+        write!(f, ". CAUTION, left out: {}{nothing_stays}", taken_by_forces(part))
     }
 
     /// The sentence about a lost load: the verb, the load at the loss, the jumps before the loss, and the motion of the object.

@@ -68,6 +68,10 @@ pub struct Needed {
     /// or snaps over. Its momentum is not counted.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "core::ops::Not::not"))]
     pub jumps: bool,
+    /// With the amount of the bound: the fraction of the springs' resistance that forces take away as they turn with the parts they act on, which
+    /// the theory of small motions leaves out, with a minus sign; see [`Verdict::left_out`](crate::hold::Verdict::left_out). Omitted if it is small.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
+    pub left_out: Option<f64>,
     /// The contacts whose coefficient of friction is sought; empty if one coefficient for all contacts is sought, and for other quantities.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub contacts: Vec<WholeContact>,

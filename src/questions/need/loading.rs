@@ -213,6 +213,22 @@ impl Loading {
         Ok(Trials { held: is_held.then_some(held), sticks: Some(sticks), at_rest: kinds, jumps })
     }
 
+    /// The least fraction [`Verdict::left_out`] of the springs' resistance under these loads; `None` if none is below zero, and for a force of any
+    /// direction.
+    pub(super) fn left_out(&self) -> Result<Option<f64>, Error> {
+        let loads = match &self.loads {
+            Loads::Each(loads) => loads.clone(),
+            Loads::Turn(turn) => vec![turn.load_at(turn.angle())],
+            Loads::AnyForce { .. } => Vec::new(),
+        };
+        let (mut least, grasp) = (0.0_f64, self.grasp.with(&self.grasp.settings().with_most_load(1.0)));
+        for load in loads {
+            let verdict = grasp.hold(Ramp::load(self.base, load * self.times))?;
+            least = least.min(verdict.left_out.unwrap_or(0.0));
+        }
+        Ok((least < 0.0).then_some(least))
+    }
+
     /// The verdict on a ramp, and data of its load path: the number of jumps, the largest motion relative to its limit, and the equilibrium at rest.
     /// The path is followed only up to `least`, the multiple up to which another load is carried, because only the load carried least matters.
     pub(super) fn put_on_up_to(

@@ -10,10 +10,12 @@
 use super::answer::{Amount, Needed, Quantity};
 use super::checked_need::{CheckedNeed, SafetyDeviations, Sought};
 use super::found_amounts::FoundAmounts;
+use super::loading::Loading;
 use super::proved::{at_proved_end, by_proof};
 use super::question::{Demand, Need};
 use super::range::Range;
 use super::search::{BoundSearch, TrialFunctions, search};
+use super::tolerances::WITHIN_THE_BOUND;
 use super::trial::Trial;
 use super::trial_record::{SearchExtent, TrialRecord};
 use crate::ask::Grasp;
@@ -107,6 +109,15 @@ impl Need<3> {
             Ok(safe)
         });
         let jumps = amount.bound().is_some_and(|at| trials.jumps_with(at));
+        let left_out = match amount.bound().filter(|_| !asked.demand.repeats()) {
+            // At the bound itself contacts may be just open, and rounding decides what resists.
+            Some(at) => {
+                let beside =
+                    if asked.quantity().is_least() { at / WITHIN_THE_BOUND } else { at * WITHIN_THE_BOUND };
+                Loading::of(grasp, &asked, beside, SafetyDeviations::NONE)?.left_out()?
+            }
+            None => None,
+        };
         Ok(Needed {
             quantity: asked.quantity(),
             demand: asked.demand,
@@ -122,6 +133,7 @@ impl Need<3> {
             by_overlaps: asked.sought == Sought::Overlaps,
             in_place_of_squeeze: quantity == Quantity::Squeeze && !is_squeezed,
             jumps,
+            left_out,
             scales_kinetic: asked.scales_kinetic(grasp.contacts()),
             contacts,
             without_friction: match asked.sought {

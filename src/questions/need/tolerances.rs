@@ -154,3 +154,8 @@ pub(super) const STEPPED_OVER: f64 = 1.25;
 /// If smaller, a wedge is said to hold although it fails with the real friction, which may be larger than that of the scene. If larger, the search
 /// more easily steps over an interval of insufficient amounts between the scene's coefficient and this one.
 pub(super) const USUAL_FRICTION: f64 = 1.0;
+
+/// The geometric stiffness beside an amount is that of an amount nearer to the sufficient ones by this factor.
+///
+/// If nearer to 1, contacts that open at the bound may count as open. If smaller, the fraction that forces take is too small.
+pub(super) const WITHIN_THE_BOUND: f64 = 0.99;

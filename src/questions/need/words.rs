@@ -11,7 +11,7 @@ use super::amount_words::roughly;
 use super::answer::{Amount, AmountWindow, FarEnd, Needed, Quantity, TriedAmounts};
 use super::press::{self, ContactPress};
 use super::question::Demand;
-use crate::hold::NO_MOMENTUM;
+use crate::hold::{NO_MOMENTUM, taken_by_forces};
 use crate::numerics::{mapped, picked};
 use crate::prelude::*;
 use crate::words::{ALIKE_IN_WORDS, Words, listed, printable};
@@ -21,6 +21,9 @@ impl fmt::Display for Needed {
         self.amount(f)?;
         if self.jumps {
             write!(f, "{LINE}on the way it jumps and is caught; its momentum might carry it farther")?;
+        }
+        if let Some(part) = self.left_out {
+            write!(f, "{LINE}CAUTION, left out: {}", taken_by_forces(part))?;
         }
         if matches!(self.amount, Amount::None { .. }) && !self.without_friction.is_empty() {
             let stay = if self.without_friction.len() == 1 { "stays" } else { "stay" };
