@@ -167,6 +167,35 @@ fn a_squeeze_that_grows_buckles_on_its_leg() -> Result<(), Error> {
     Ok(())
 }
 
+/// A tall body that buckles beside idle ones, each on two feet of its own. However many stand there, it buckles; beyond forty bodies it is not asked.
+#[test]
+fn idle_bodies_hide_nothing() -> Result<(), Error> {
+    let (stiffness, half, height) = (2e3, 0.05, 0.4);
+    let critical = 2.0 * stiffness * half * half / height;
+    let feet = |name: &str, x: f64| {
+        [-half, half].map(|side| {
+            let foot = Contact::new([x + side, 0.0], [0.0, 1.0]).series_stiffness(stiffness, stiffness);
+            foot.friction(0.5).on(name)
+        })
+    };
+    for (idle, is_asked) in [(0, true), (11, true), (39, true), (40, false)] {
+        let names: Vec<String> = (1..=idle).map(|k| format!("idle {k}")).collect();
+        let tall = Body::new("tall").load(Wrench::force_at([0.0, -1.2 * critical], [0.0, height]));
+        let beside = names
+            .iter()
+            .zip(1..)
+            .map(|(name, k)| Body::new(name).load(Wrench::force_at([0.0, -1.0], [f64::from(k), 0.0])));
+        let on_feet = names.iter().zip(1..).flat_map(|(name, k)| feet(name, f64::from(k)));
+        let grasp = Bodies::new([tall].into_iter().chain(beside))
+            .contacts(feet("tall", 0.0).into_iter().chain(on_feet))
+            .loaded("tall")
+            .grasp()?;
+        let verdict = grasp.hold(Wrench::force_at([0.01, 0.0], [0.0, 0.0]))?;
+        assert_eq!(verdict.to_string().starts_with("BUCKLES at rest already"), is_asked, "{idle} {verdict}");
+    }
+    Ok(())
+}
+
 /// A tall weight W at the height h on two soft feet at ±a: the feet resist tilting with 2 k a², and the weight takes away W h of it.
 #[test]
 fn a_tall_weight_on_soft_feet() {

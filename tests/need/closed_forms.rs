@@ -22,6 +22,8 @@ fn a_pinch() -> Tested {
         is(&demanded(Need::squeeze(weight)), &pinch, 1.2)?;
         is(&demanded(Need::friction(weight)), &pinch, 0.6)?;
         is(&demanded(Need::load(weight)), &pinch, 10.0 / 12.0)?;
+        let words = pinch.need(&demanded(Need::load(weight)))?.to_string();
+        assert!(words.starts_with("TAKES only 0.833333 times the load, 10 N"), "{words}");
     }
     let needed = pinch.need(&Need::squeeze(weight).to_stick().if_lower_by(0.1, 0.05))?;
     let safe = needed.safe.as_ref().and_then(Amount::bound).expect("more squeeze does");

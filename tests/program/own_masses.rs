@@ -69,6 +69,13 @@ fn a_force_that_is_shared_acts_at_the_centre_of_mass() {
         let output = run_on(boxes.as_bytes(), &[&["hold", "-", "--force", "20,0"], more].concat());
         assert!(text(&output.stdout).starts_with(says), "{more:?}: {}", text(&output.stdout));
     }
+    // Each body of an arm that turns has an acceleration of its own.
+    let output = run_on(boxes.as_bytes(), &["hold", "-", "--mass", "2", "--angular-velocity", "90"]);
+    let message = text(&output.stderr);
+    assert!(
+        output.status.code() == Some(2) && message.contains("must be left out where bodies share loads"),
+        "{message}"
+    );
 }
 
 /// A mass on the command line has the weight that the gravity of the scene gives it, 10 m/s² here, if no body has a mass of its own.

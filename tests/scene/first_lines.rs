@@ -34,6 +34,23 @@ fn a_foot_slides_from_the_start() {
     assert_eq!(first_line(&on_feet(0.0, json!([]))), "NOTHING FOLLOWED: no legs are given");
 }
 
+/// Two jaws press with 8 N each, μ = 0.5. They begin to slide at 8 N, where the path ends. A push of 17 N along the pinch line opens one of equal jaws
+/// at 16 N, and nothing slides.
+#[test]
+fn what_happens_at_the_end_of_a_path_or_without_slip() {
+    let jaws = |legs: Value| {
+        let jaw = |name: &str, x: f64| json!({ "name": name, "point": [x, 0], "normal": [-x.signum(), 0], "stiffness": [2000, 1500], "friction": 0.5, "pressed_with": 8 });
+        first_line(
+            &json!({ "contacts": [jaw("left", -0.04), jaw("right", 0.04)], "questions": [{ "follow": { "legs": legs } }] }),
+        )
+    };
+    let down = jaws(json!([{ "load_to": { "force": [0, -8] } }]));
+    assert_eq!(down, "HELD to the end: left and right slide from there on");
+    let along = jaws(json!([{ "load_to": { "force": [17, 0] } }, { "load_to": { "force": [0, 0] } }]));
+    let words = "no contact begins to slide on the way; left opens at 0.941176 of leg 0, (16, 0) N";
+    assert!(along.ends_with(words), "{along}");
+}
+
 /// A spring of 1000 N/m shares a pull with a motor of 10 N m/rad on an arm of 0.1 m. The motor stalls at 5 N. With its tip of 1e6 N/m, the object has
 /// then moved by 5.005 mm.
 #[test]

@@ -3,7 +3,6 @@
 use grasp_lcp::words::Unit;
 
 use crate::arguments::{Command, LoadArguments, NeedArguments, Numbers, SceneArguments};
-use crate::failure::Failure;
 
 impl Command {
     /// The scene and the form of the answer, if the command asks about a scene.
@@ -40,24 +39,6 @@ impl Command {
             _ => {}
         }
     }
-}
-
-/// Refuses an arm that turns where the bodies share loads by mass: each body has the acceleration of its own centre, not that of the common one.
-pub(crate) fn refuse_turning(asked: &Command) -> Result<(), Failure> {
-    let (Command::Hold { load, .. }
-    | Command::Compare { load, .. }
-    | Command::Improve { load, .. }
-    | Command::Solve { load, .. }
-    | Command::Onset { load, .. }
-    | Command::Need { need_arguments: NeedArguments { load, .. }, .. }) = asked
-    else {
-        return Ok(());
-    };
-    if load.angular_velocity.is_none() && load.angular_acceleration.is_none() {
-        return Ok(());
-    }
-    let message = "--angular-velocity, --angular-acceleration: must be left out where bodies share loads by mass, since each has an acceleration of its own; say the inertia of each as --together-with";
-    Err(Failure::Usage(message.to_owned()))
 }
 
 impl Command {

@@ -5,7 +5,7 @@ use std::borrow::Cow;
 
 use grasp_lcp::words::printable;
 
-use crate::arguments::{LoadArguments, Numbers};
+use crate::arguments::{Command, LoadArguments, NeedArguments, Numbers};
 use crate::failure::Failure;
 use grasp_lcp::scene::Setup;
 
@@ -44,6 +44,24 @@ pub(crate) fn shared_centre(setup: &Setup<3>) -> Option<Vec<f64>> {
     let mut setup = setup.shared_by_mass.then(|| setup.clone())?;
     setup.gravity = Some([1.0; 3].into());
     setup.own_mass().map(|(_, centre)| centre[..setup.axes()].to_vec())
+}
+
+/// Refuses an arm that turns where the bodies share loads by mass: each body has the acceleration of its own centre, not that of the common one.
+pub(crate) fn refuse_turning(asked: &Command) -> Result<(), Failure> {
+    let (Command::Hold { load, .. }
+    | Command::Compare { load, .. }
+    | Command::Improve { load, .. }
+    | Command::Solve { load, .. }
+    | Command::Onset { load, .. }
+    | Command::Need { need_arguments: NeedArguments { load, .. }, .. }) = asked
+    else {
+        return Ok(());
+    };
+    if load.angular_velocity.is_none() && load.angular_acceleration.is_none() {
+        return Ok(());
+    }
+    let message = "--angular-velocity, --angular-acceleration: must be left out where bodies share loads by mass, since each has an acceleration of its own; in a scene without `shared_by_mass` the inertia of each is its `load`";
+    Err(Failure::Usage(message.to_owned()))
 }
 
 /// Refuses `--mass` if the scene's gravity already acts on a mass of the body on which the load acts.

@@ -31,7 +31,7 @@ use crate::error::{Error, is_moderate};
 /// assert_eq!(weight.transformed(&pose), Wrench::force_at([0.0, -2.0], [13.0, 1.0]));
 /// ```
 ///
-/// A load made by [`force_at`](Self::force_at), and sums and multiples of such loads, remember their points of action. Where nothing resists a
+/// A load made by [`force_at`](Self::force_at), a force at the origin, and sums and multiples of such loads, remember their points of action. Where nothing resists a
 /// rotation, these points decide whether the load turns the object over. Two wrenches are equal if their components are equal.
 #[derive(Clone, Copy)]
 #[must_use]

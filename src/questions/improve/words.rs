@@ -34,12 +34,12 @@ impl Improved<3> {
             return write!(f, "NO GRASP on these surfaces was found that {does}");
         };
         if let Some(far) = &self.too_far {
-            write!(
-                f,
-                "{} at rest, under these loads or before the first slip: {}. Otherwise ",
-                LossVerb::from(far),
-                far.reason(words)
-            )?;
+            let when = if is_reserve {
+                "at rest or under these loads"
+            } else {
+                "at rest, under these loads or before the first slip"
+            };
+            write!(f, "{} {when}: {}. Otherwise ", LossVerb::from(far), far.reason(words))?;
         }
         let (what, one) = if is_reserve { ("RESERVE of", None) } else { ("FIRST SLIP at", self.force) };
         let unit = if is_reserve || one.is_some() { "N" } else { "times the loads" };

@@ -31,7 +31,8 @@ pub struct Needed {
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub sticks: Option<Amount>,
     /// The amount that meets the demand if friction and squeeze are reduced by `lower` and loads are multiplied by `safety`; `None` if nothing is
-    /// reduced or multiplied.
+    /// reduced or multiplied. Its far end is that of the amounts that suffice in all cases: with the sought quantity itself reduced or as set, and
+    /// with everything as given.
     pub safe: Option<Amount>,
     /// Relative reductions of friction and of the squeeze that `safe` allows for, each from 0 to less than 1. If no command presses, the reduction of
     /// the squeeze is 0.

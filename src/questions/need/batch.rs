@@ -185,12 +185,12 @@ impl BatchNeed {
     }
 
     /// The amount with which everything sticks; `None` unless the rotation of the object with this amount is clearly within the limit of small
-    /// motions.
+    /// motions, and the grasp surely does not buckle.
     fn while_it_sticks(&self, sticking: &WhileSticking) -> Option<f64> {
         let multiple = sticking.first.factor()?;
         let amount = self.amount(multiple)?;
-        // The rotation is linear in load and squeeze together. `turn` bounds it at rest and under the given load, and thus for all multiples of load
-        // and squeeze.
+        // Rotation and forces are linear in load and squeeze together. `turn` and `taken` bound them at rest and under the given load, and thus for
+        // all multiples of load and squeeze.
         let [load, squeeze] =
             if self.quantity == Quantity::Squeeze { [1.0, amount] } else { [multiple, 1.0] };
         let times = load + (squeeze - load).abs();

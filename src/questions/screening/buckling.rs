@@ -14,7 +14,7 @@ use super::method::Method;
 use crate::numerics::Vectors;
 
 /// A lower bound J of the stiffness against rotation.
-pub(super) struct Resistance<const C: usize, X: Packed> {
+pub(super) struct RotationalStiffness<const C: usize, X: Packed> {
     /// The centroid of the contacts, weighted with their stiffnesses, m.
     centre: [X; C],
     factors: LaneFactors<3, X>,
@@ -29,17 +29,17 @@ pub(super) struct LoadAtPoints<const C: usize, X: Packed> {
     pub(super) moments: [[X; C]; C],
 }
 
-impl<const C: usize, X: Packed> Resistance<C, X> {
+impl<const C: usize, X: Packed> RotationalStiffness<C, X> {
     /// The lower bound J for the contacts of a block. The block stores compliances for [`Method::Edges`], stiffnesses for [`Method::Motions`].
     #[inline(never)]
     pub(super) fn of<V: Vectors>(v: V, block: &Block<'_, C, X>, method: Method) -> Self {
         let zero = X::all(0.0);
-        let mut resistance = Self { centre: [zero; C], factors: LaneFactors::none() };
+        let mut stiffness = Self { centre: [zero; C], factors: LaneFactors::none() };
         v.run(
             #[inline(always)]
-            || resistance.compute(block, method),
+            || stiffness.compute(block, method),
         );
-        resistance
+        stiffness
     }
 
     #[inline(always)]

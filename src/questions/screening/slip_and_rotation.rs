@@ -4,7 +4,7 @@
 
 use super::answer_slots::AnswerSlots;
 use super::block::Layout;
-use super::buckling::{LoadAtPoints, Resistance};
+use super::buckling::{LoadAtPoints, RotationalStiffness};
 use super::first_exit::judge;
 use super::first_slip::SlipCode;
 use super::forces::AnyForces;
@@ -125,16 +125,16 @@ impl<const C: usize> ScreeningQuestion<C> for SlipAndRotation<C> {
         let [mut turn, mut taken] = [X::all(f64::NAN); 2];
         if self.turns {
             let (v, block) = (prepared.vectors, &prepared.block);
-            let resistance = Resistance::of(v, block, prepared.ready.method());
+            let stiffness = RotationalStiffness::of(v, block, prepared.ready.method());
             let start = prepared.turned(&at_rest, base);
-            let taken_at_rest = resistance.taken(v, block, &base.of, &self.at_points(prepared.first, 0.0));
+            let taken_at_rest = stiffness.taken(v, block, &base.of, &self.at_points(prepared.first, 0.0));
             base.add_to(prepared.block.contacts, rates, 1.0);
             for k in 0..Layout::<C>::COORDINATES {
                 more[k] += at_rest[k];
             }
             // `max` ignores NaN. Adding zero times `start` makes the result NaN if `start` is NaN.
             turn = start.max(prepared.turned(&more, base)) + zero * start;
-            let taken_there = resistance.taken(v, block, &base.of, &self.at_points(prepared.first, 1.0));
+            let taken_there = stiffness.taken(v, block, &base.of, &self.at_points(prepared.first, 1.0));
             taken = taken_at_rest.max(taken_there) + zero * taken_at_rest;
         }
         let first = first.as_ref();
