@@ -1,11 +1,12 @@
-//! The active set of a contact at an event: the edges of its friction cone that the contact force has reached. An event is a load at which some
-//! contact changes its state. The active set determines the law for the rates of force and stretch, their derivatives with respect to the growing
-//! load, beyond the event.
+//! The active set of a contact: the facets of its friction cone on which the contact force lies, or the apex of the cone, where the force is zero. It
+//! is needed at a load at which a contact changes its state. It determines the law for the rates of force and stretch just beyond this load. Rates
+//! are derivatives with respect to the growing load.
 //!
-//! A contact with its force inside the cone keeps sticking just beyond the event. With its force on facets of the cone it sticks, or slides along the
-//! normals of these facets. At the apex, or with a gap that has just closed, every state is possible, so the rates obey the whole contact law again.
-//! The search for the onset of sliding and the load path use the same laws of the rates. On a polygonal cone facets are numbered. On the round cone
-//! the tangent plane of the cone along the present friction force takes the place of a facet.
+//! A contact with its force inside the cone keeps sticking. With its force on facets of the cone it sticks, or slides along the normals of these
+//! facets. At the apex, or with a gap that has just closed, every state is possible, so the rates obey the whole contact law.
+//!
+//! The round cone `|F_t| <= μ F_n` counts as having one facet where the force lies: its tangent plane along the friction force. In code names an edge
+//! is the boundary of a cone, round or polygonal; [`Law::Edge`] contains the facets that limit the rates.
 
 use crate::numerics::IntoList;
 use nalgebra::SVector;
@@ -18,14 +19,14 @@ use super::tolerances::{WEIGHTLESS, ZERO_SLACK};
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::prelude::*;
 
-/// The edges of the friction cone that the force of a contact has reached, or the apex of the cone. An open contact with a gap of zero is also at the
+/// The facets of the friction cone on which the force of a contact lies, or the apex of the cone. An open contact with a gap of zero is also at the
 /// apex.
 #[derive(Debug, Clone)]
 pub(crate) struct ActiveSet {
     /// Outward normals h of the active facets. These are the facets on which the contact slides, and those at which the friction margin `μ F_n -
     /// h·F_t` is zero.
     pub(crate) facets: Vec<SVector<f64, 3>>,
-    /// Whether the contact is closed without force, or open with a gap of zero.
+    /// True if the contact is closed without force, or open with a gap of zero.
     pub(crate) apex: bool,
 }
 
@@ -42,18 +43,17 @@ impl ActiveSet {
         self.apex = false;
     }
 
-    /// Whether a force is zero up to rounding, which means that the contact is at the apex of its cone. The rounding error of the force is
-    /// proportional to `force_size`.
+    /// Whether a force is zero up to rounding. The rounding error of the force is proportional to `force_size`, N.
     pub(crate) fn is_weightless(force: &SVector<f64, 3>, force_size: f64) -> bool {
         force.norm() <= WEIGHTLESS * force_size
     }
 
-    /// Adds to the set the facet, or the apex, that the contact reaches at each exit. An exit is the end of a state under a growing load. An open
-    /// contact leaves its state at the apex, when its gap closes.
+    /// Adds to the set the facet, or the apex, that the contact reaches at each exit. An exit is the point at which the contact leaves its state
+    /// under a growing load. An open contact is at the apex when its gap closes.
     pub(crate) fn add_exits(&mut self, axes: usize, state: &State, exits: &[Exit]) {
         for exit in exits {
             // A zero vector in `Exit::facet` marks an exit at which the normal force or the gap vanishes. Normals that differ only by rounding count
-            // as one facet: when the round cone is reached again in the same direction, the computed normal differs slightly.
+            // as one facet. They occur if the force reaches the round cone twice in the same direction.
             if state.is_open() || exit.facet.norm() == 0.0 {
                 self.apex = true;
             } else if !self.facets.iter().any(|facet| (facet - exit.facet).norm() <= NEGLIGIBLE) {
@@ -66,9 +66,9 @@ impl ActiveSet {
 }
 
 impl LocalLaw<'_> {
-    /// The law for the rates of force and stretch, per change of the load, of a contact with this active set. Inside the cone, or if no conditions
-    /// limit the force, the springs act without conditions ([`Law::Bonded`]). On facets only the conditions of these facets apply ([`Law::Edge`]),
-    /// and at the apex the whole contact law. An open contact with a positive gap stays without force ([`Law::Absent`]).
+    /// The law for the rates of force and stretch of a contact with the active set `active`. Inside the cone, or if no conditions limit the force,
+    /// the springs act without conditions ([`Law::Bonded`]). On facets only the conditions of these facets apply ([`Law::Edge`]), and at the apex the
+    /// whole contact law. An open contact with a positive gap stays without force ([`Law::Absent`]).
     pub(crate) fn law_of_rates(&self, active: &ActiveSet, state: &State) -> Law {
         if !self.has_edges() {
             Law::Bonded
@@ -105,8 +105,8 @@ impl LocalLaw<'_> {
         ActiveSet { apex, facets: if on_the_edge { vec![friction.normalize()] } else { Vec::new() } }
     }
 
-    /// A sticking contact whose force lies on an edge of the friction cone may equally count as sliding with zero slip, under the same force. Returns
-    /// this sliding state; `None` if the force lies inside the cone or at the apex.
+    /// The sliding state with zero slip that a sticking contact has under the same force if this force lies on the boundary of the cone. `None` if
+    /// the force lies inside the cone or at the apex.
     pub(crate) fn on_its_edge(&self, line: &Line) -> Option<State> {
         let ActiveSet { facets, apex } = self.active_set(line);
         if apex || facets.is_empty() {
@@ -170,9 +170,9 @@ impl LocalLaw<'_> {
         state.own_facets(facets.len()).iter().any(|own| own.is_some_and(|j| facets[j] == *facet))
     }
 
-    /// Whether the force of a sticking contact on the edge of the round cone moves along a tangent of the cone, at the force rate `rate`. A tangent
-    /// leads out of the cone, thus the contact begins to slide, perhaps with a slip rate of zero. The rounding error of `rate` is proportional to
-    /// `size`.
+    /// Whether the force of a sticking contact on the boundary of the round cone moves along a tangent of the cone, at the force rate `rate`. A
+    /// tangent leads out of the cone, thus the contact begins to slide, perhaps with a slip rate of zero. The rounding error of `rate` is
+    /// proportional to `size`.
     pub(crate) fn grazes(&self, state: &State, rate: &SVector<f64, 3>, size: f64) -> bool {
         let (Law::Edge(facets), Mode::Sticking) = (self.law, state) else { return false };
         let (p, cone) = (&facets[0], self.cone());
@@ -181,8 +181,8 @@ impl LocalLaw<'_> {
             && across > ZERO_SLACK * size
     }
 
-    /// Whether the force of a sticking contact is on the edge of the round cone and moves across the friction direction, but not into the cone. The
-    /// contact then begins to slide, since even a straight tangent leads out of the cone. `false` if the force moves radially.
+    /// Whether the force of a sticking contact is on the boundary of the round cone and moves across the friction direction, but not into the cone.
+    /// The contact then begins to slide, since even a straight tangent leads out of the cone. `false` if the force moves radially.
     pub(crate) fn leaves_by_a_tangent(&self, line: &Line) -> bool {
         let (friction, cone) = (tangential(&line.force), self.cone());
         if !self.on_round_cone || !self.may_slide() || friction.norm() == 0.0 {
@@ -223,7 +223,7 @@ impl LocalLaw<'_> {
             return Some(state);
         }
         let edge = match (rates, state) {
-            // On the round cone an edge has only one facet, with the direction of the slide as its normal.
+            // On the round cone the list of facets has one entry, whose normal is the direction of the slide.
             (Law::Edge(_), Mode::Round(_)) => return Some(Mode::Facet(0)),
             (Law::Edge(edge), _) => edge,
             // With the bonded law for the rates the contact does not slide. A sliding `state` is possible only if the contact has just stopped
@@ -239,7 +239,7 @@ impl LocalLaw<'_> {
         match (first, second) {
             (None, _) => Some(state),
             (Some(first), None) => (0_u16..).nth(at(first)?).map(Mode::Facet),
-            // The law for rates on an edge of the friction cone has at most two facets, and thus one corner, with index 0, between them.
+            // The law for rates has at most two facets, and thus at most one corner, with index 0.
             (Some(first), Some(second)) => at(first).and(at(second)).map(|_| Mode::Corner(0)),
         }
     }

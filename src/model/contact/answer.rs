@@ -1,8 +1,8 @@
 //! The return map: computes force and state of one contact exactly from its stretch.
 //!
-//! Let `v = a - G_iᵀq` be the stretch, with the offset a of the springs (their commanded displacement), the contact's grasp map G_i and the object's
-//! motion q. Let k_n be the normal stiffness, K_t the matrix of the tangential stiffnesses, and λ the slip per friction force. With the trial
-//! traction T = K_t v_t and the friction limit r = μ F_n, on the round cone
+//! Let `v = a - G_iᵀq` be the stretch, with the offset a (commanded displacement minus clearance and earlier slip), the contact's grasp map G_i and
+//! the object's motion q. Let k_n be the normal stiffness, K_t the matrix of the tangential stiffnesses, and λ the slip per unit of friction force.
+//! With the trial traction T = K_t v_t and the friction limit r = μ F_n, on the round cone
 //!
 //! ```text
 //! open      k_n v_n <= 0                F = 0
@@ -41,9 +41,8 @@ impl ContactResponse {
 }
 
 impl LocalLaw<'_> {
-    /// State and force of the contact at a stretch, m. The friction of a contact with the round cone is limited by this cone. If the force is on an
-    /// edge of its cone ([`Law::Edge`]), a single facet limits the friction. The iteration for the slip per force λ starts at `near`: λ at a nearby
-    /// stretch, or zero.
+    /// State and force of the contact at a stretch, m. The round cone limits the friction. Under [`Law::Edge`] a single facet limits it, the tangent
+    /// plane of the cone. The iteration for λ, the slip per unit of friction force, starts at `near`: λ at a nearby stretch, or zero.
     pub(crate) fn answer(&self, stretch: &SVector<f64, 3>, near: f64) -> ContactResponse {
         let mut force = self.springs.force(stretch);
         let sticking = ContactResponse { state: Mode::Sticking, force };
@@ -72,8 +71,8 @@ impl LocalLaw<'_> {
         ContactResponse { state: Mode::Round(slide), force }
     }
 
-    /// Replaces the tangential part of a trial force by friction of the size r, the limit μ F_n in N, and returns the slide. The friction has the
-    /// direction of `S v_t`, where S = (K_t⁻¹ + λ)⁻¹ is the tangential stiffness reduced by the slip per force λ.
+    /// Replaces the tangential part of a trial force by friction of the magnitude r, the limit μ F_n in N, and returns the slide. The friction has
+    /// the direction of `S v_t`. The matrix S = (K_t⁻¹ + λ)⁻¹ is the tangential stiffness, reduced by the slip λ per unit of friction force.
     fn slide_onto_the_cone(&self, force: &mut SVector<f64, 3>, r: f64, lambda: f64) -> Slide {
         let softened = by_axis(|a| if a == 0 { 0.0 } else { force[a] * self.springs.softening(a, lambda) });
         let slide = Slide::new(&softened, lambda);
@@ -83,8 +82,8 @@ impl LocalLaw<'_> {
         slide
     }
 
-    /// State and force of the contact at a stretch, m, on the cone in use, round or polygonal. `near` is the start of the iteration as in
-    /// [`Self::answer`].
+    /// State and force of the contact at a stretch, m, on the cone in use, round or polygonal. On the round cone the iteration for the slip per unit
+    /// of friction force starts at `near`, m/N.
     #[inline]
     pub(crate) fn response(&self, stretch: &SVector<f64, 3>, near: f64) -> ContactResponse {
         if self.on_round_cone { self.answer(stretch, near) } else { self.answer_on_polygon(stretch) }
@@ -175,22 +174,23 @@ impl LocalLaw<'_> {
     }
 }
 
-/// The slip per force λ, m/N, of a sliding contact with the friction limit r: `|S v_t| = r`, where S = (K_t⁻¹ + λ)⁻¹ and v_t is the tangential
-/// stretch. `trial` is the trial traction K_t v_t and `traction` its length; λ is positive if `traction` exceeds r. Newton's method starts at `near`.
+/// The slip λ per unit of friction force, m/N, of a sliding contact with the friction limit r: `|S v_t| = r`, where S = (K_t⁻¹ + λ)⁻¹ and v_t is the
+/// tangential stretch. `trial` is the trial traction K_t v_t and `traction` its length; λ is positive if `traction` exceeds r. Newton's method starts
+/// at `near`.
 ///
 /// The equation is solved in the form 1/|S v_t| = 1/r, known as the secular equation of trust-region methods. Its left side is concave in λ and
 /// nearly linear. From any start the first Newton step therefore leads to a λ below the root. From there λ increases towards the root and never
 /// passes it.
 fn slip_per_force(springs: &Compliance, trial: &SVector<f64, 3>, traction: f64, r: f64, near: f64) -> f64 {
-    // r = 0 would have no finite λ. The friction limit r is therefore raised to at least 1e-200 of the traction. At this ratio S is already
+    // If r were 0, λ would be infinite. The friction limit r is therefore raised to at least 1e-200 of the traction. At this ratio S is already
     // negligible compared with K_t.
     let excess = traction / r.max(traction * 1e-200);
     if springs.is_isotropic() {
         return springs.deflection_along(1, excess - 1.0);
     }
     let unit = trial / traction;
-    // A starting λ above 1e100 times the compliance of the stiffest spring is replaced by zero: squares of the softened stiffnesses would underflow,
-    // and Newton's steps could not lead back to the root.
+    // A starting λ above 1e100 times the compliance of the stiffest spring is replaced by zero. With such a λ the squares of the softened stiffnesses
+    // would underflow, and Newton's steps could not lead back to the root.
     let mut lambda = if near * springs.stiffest() < 1e100 { near } else { 0.0 };
     // λ is at least 0 if the traction is at least r. For a shorter traction λ would be negative (slip against the friction force). Its lower bound is
     // then the λ at which the softer spring alone would have the force r. The bound must also exceed -1/k of the stiffer spring, where 1 + λk
@@ -200,8 +200,8 @@ fn slip_per_force(springs: &Compliance, trial: &SVector<f64, 3>, traction: f64, 
     // stiffer spring.
     let last = 1e-8;
     let least = if excess >= 1.0 { 0.0 } else { ((excess - 1.0) / soft).max(-(1.0 - last) / stiff) };
-    // Upper bound of the number of Newton steps for λ; as a rule a few suffice. If λ is nearly zero, rounding may keep its relative change above
-    // `last`, and the bound ends the loop.
+    // This is an upper bound of the number of Newton steps for λ; as a rule a few suffice. If λ is nearly zero, rounding may keep its relative change
+    // above `last`, and the bound ends the loop.
     for _ in 0..60 {
         let softened = springs.softened(lambda);
         let (mut square, mut slope) = (0.0, 0.0);

@@ -1,7 +1,8 @@
 //! The compliance of one contact: one spring along each axis of its frame, which stands for the object's spring and the finger's spring in series.
 //! All other code of the contact law uses stiffnesses through this type.
 //!
-//! Let a be the commanded displacement of the finger, u_c the displacement of the object's contact point, g the gap and s the slip. Then
+//! Let a be the commanded displacement of the finger less the clearance, u_c the displacement of the object's contact point, g the gap and s the
+//! slip. Then
 //!
 //! ```text
 //! F = K v,   K = diag(k_n, k_t…),   v = a - u_c + g - s        spring deflection v, m; force F, N; stiffness K, N/m
@@ -25,7 +26,7 @@ pub(crate) struct Compliance {
 }
 
 impl Compliance {
-    /// Springs along the first `axes` axes, whose stiffnesses are positive.
+    /// Springs along the first `axes` axes, with the positive stiffnesses `series`, N/m.
     pub(crate) fn new(series: &SVector<f64, 3>, axes: usize) -> Self {
         Self { k: by_axis(|a| if a < axes { series[a] } else { 0.0 }), axes }
     }
@@ -91,7 +92,7 @@ impl Compliance {
         self.k.map(f64::sqrt)
     }
 
-    /// The square root of the stiffness along an axis, the entry of `K^{1/2}`.
+    /// The square root of the stiffness along an axis, √(N/m): the entry of `K^{1/2}`.
     #[inline(always)]
     pub(crate) fn root_along(&self, axis: usize) -> f64 {
         self.k[axis].sqrt()
@@ -129,14 +130,14 @@ impl Compliance {
         [self.k[1].min(last), self.k[1].max(last)]
     }
 
-    /// The diagonal of `S = (K_t⁻¹ + λ)⁻¹`, N/m, with zero along the normal. K_t has the tangential stiffnesses, λ is the slip per friction force,
-    /// m/N. S is the stiffness of the tangential springs in series with this slip.
+    /// The diagonal of `S = (K_t⁻¹ + λ)⁻¹`, N/m, with zero along the normal. K_t has the tangential stiffnesses, λ is the slip per unit of friction
+    /// force, m/N. S is the stiffness of the tangential springs in series with this slip.
     #[inline(always)]
     pub(crate) fn softened(&self, lambda: f64) -> SVector<f64, 3> {
         by_axis(|a| if a == 0 { 0.0 } else { self.k[a] * self.softening(a, lambda) })
     }
 
-    /// Factor `1 / (1 + λ k)` by which a slip per friction force λ, m/N, softens the spring of the stiffness k along a tangential axis.
+    /// Factor `1 / (1 + λ k)` by which slip softens the spring of stiffness k along a tangential axis. λ is the slip per unit of friction force, m/N.
     #[inline(always)]
     pub(crate) fn softening(&self, axis: usize, lambda: f64) -> f64 {
         1.0 / (1.0 + lambda * self.k[axis])

@@ -1,7 +1,7 @@
-//! The inequalities that a state of a contact must satisfy. Each inequality has a size: the magnitude of its terms, to which its rounding error is
-//! proportional. Let u_c be the displacement of the contact point, n the normal, and a the offset of the springs, i.e. their commanded displacement.
-//! F_n and F_t are normal and tangential force, μ is the coefficient of friction. A polygonal friction cone has facets `h·F_t <= μ F_n` with the
-//! normals h; two facets meet at a corner. A contact slides on one facet, or at a corner on two ("its facets"):
+//! The inequalities that a state of a contact must satisfy. Each has a rounding scale: the magnitude of its terms, to which its rounding error is
+//! proportional. Let u_c be the displacement of the contact point and n the normal. The offset a is the commanded displacement minus clearance and
+//! earlier slip. F_n and F_t are normal and tangential force, μ is the coefficient of friction. A polygonal friction cone has facets `h·F_t <= μ F_n`
+//! with the normals h; two facets meet at a corner. A contact slides on one facet, or at a corner on two ("its facets"):
 //!
 //! ```text
 //! open      gap = n·u_c - a_n                 >= 0
@@ -26,23 +26,23 @@ pub(crate) struct SpringState<'s> {
     pub(crate) stretch: SVector<f64, 3>,
     /// Contact force, N.
     pub(crate) force: &'s SVector<f64, 3>,
-    /// Size of the displacements whose difference is the stretch, m. The rounding error of the stretch is proportional to this size.
+    /// Magnitude of the displacements whose difference is the stretch, m. The rounding error of the stretch is proportional to it.
     pub(crate) span: f64,
     /// Magnitude of the largest contact force of the grasp, N.
     pub(crate) largest: f64,
 }
 
 impl LocalLaw<'_> {
-    /// Size to which the rounding error of the contact's force is proportional, N. It is the magnitude of the force plus the smaller of two
-    /// estimates. The first is the largest force of the grasp (`largest`); it is smaller for stiff contacts, whose stretches are differences of large
-    /// displacements. The second is the stiffness times the size of the displacements (`span`, m); it is smaller for soft contacts.
+    /// Rounding scale of the contact's force, N: the magnitude of the force plus the smaller of two estimates. The first estimate is the largest
+    /// force of the grasp (`largest`); it is the smaller one for stiff contacts, whose stretches are differences of large displacements. The second
+    /// is the stiffness times the magnitude of the displacements (`span`, m); it is the smaller one for soft contacts.
     #[inline(always)]
     pub(crate) fn force_size(&self, force: &SVector<f64, 3>, span: f64, largest: f64) -> f64 {
         SMALLEST + force.norm() + largest.min(self.springs.stiffest() * span)
     }
 
-    /// Calls `visit(value, size)` for every condition `value >= 0` of a state. The rounding error of the value is of the order of `size` times
-    /// the machine precision.
+    /// Calls `visit(value, size)` for every condition `value >= 0` of a state. The rounding error of the value is of the order of its rounding scale
+    /// `size` times the machine precision.
     pub(crate) fn for_each_condition(
         &self,
         state: &State,
@@ -71,8 +71,8 @@ impl LocalLaw<'_> {
         }
     }
 
-    /// Slip components that must not be negative in a sliding state. Each is paired with its rounding error as a multiple of the rounding error of
-    /// the slip. On the round cone or on a facet there is one component, along the slip direction or the facet normal. At a corner there are two
+    /// Slip components, m, that must not be negative in a sliding state. Each is paired with its rounding error as a multiple of the rounding error
+    /// of the slip. On the round cone or on a facet there is one component, along the slip direction or the facet normal. At a corner there are two
     /// components, along both normals. An open or sticking state has no such components.
     pub(super) fn slips_along(&self, state: &State, slip: &SVector<f64, 3>) -> [Option<[f64; 2]>; 2] {
         let facets = self.facets();

@@ -1,8 +1,7 @@
 //! Coulomb's cone `|F_t| <= μ F_n` of one contact. All other code of the contact law uses friction coefficients through this type.
 //!
 //! A facet of a polygonal cone is `h·F_t <= μ F_n` with an outward normal h. A margin is what is left of a friction limit, such as `μ F_n - |F_t|`.
-//! The apex of a cone is zero force. At a given tangential force the round cone is replaced by its tangent facet, whose unit normal points along that
-//! force.
+//! In code names the edges of a cone are its boundary, which separates sticking from sliding.
 
 use nalgebra::SVector;
 
@@ -30,20 +29,21 @@ impl Coulomb {
         self.mu.is_infinite()
     }
 
-    /// Whether the cone has edges, which is so if friction is neither zero nor infinite.
+    /// Whether the cone has a boundary with friction, which is so if the coefficient is neither zero nor infinite.
     #[inline(always)]
     pub(crate) fn has_edges(self) -> bool {
         self.mu > 0.0 && self.mu.is_finite()
     }
 
-    /// Returns this cone or, for infinite friction, which has no facets, a cone with a very large finite coefficient.
+    /// This cone or, if friction is infinite, a cone with a very large finite coefficient. An infinite coefficient allows every tangential force and
+    /// so has no facets.
     pub(crate) fn with_edges(self, springs: &Compliance) -> Self {
         if self.mu.is_finite() {
             return self;
         }
-        // A contact with infinite friction needs facets only to lose its tangential force when it opens, at the apex of the cone. The coefficient is
-        // so large that the contact does not slide before it opens. If the normal spring is stiffer than the tangential springs, the coefficient
-        // grows with √(k_n/k_t).
+        // Facets are needed only so that the tangential force vanishes with the normal force, when the contact opens. The coefficient is so large
+        // that the contact does not slide before it opens. If the normal spring is stiffer than the tangential springs, the coefficient grows with
+        // √(k_n/k_t).
         Self { mu: 1e8 * springs.ratio_to_the_last().sqrt().max(1.0) }
     }
 
@@ -53,7 +53,7 @@ impl Coulomb {
         self.mu * normal_force
     }
 
-    /// The force `e_n + μ t` on the edge of the cone, for unit normal force and a tangential direction t.
+    /// The force `e_n + μ t` on the boundary of the cone, for unit normal force and a tangential unit vector t.
     pub(crate) fn generator(self, t: &SVector<f64, 3>) -> SVector<f64, 3> {
         let mut force = t * self.mu;
         force[0] = 1.0;

@@ -1,7 +1,7 @@
-//! The edges of a contact's friction cone as linear conditions `a·F >= 0` on its force F while it sticks. Functions of this file also select, for a
-//! set of possible forces, the conditions that these forces violate most.
+//! The boundary of a contact's friction cone as linear conditions `a·F >= 0` on the contact force F. While they hold, the contact keeps sticking. The
+//! file also selects the conditions that a set of possible forces violates most. In code names an edge is such a condition.
 //!
-//! The round cone has a facet `a(φ) = (μ, -cos φ, -sin φ)` at every angle φ. At a given force F the margin `a·F` is therefore a trigonometric
+//! The round cone has a tangent facet `a(φ) = (μ, -cos φ, -sin φ)` at every angle φ. At a given force F the margin `a·F` is therefore a trigonometric
 //! function of φ.
 
 use core::f64::consts::{FRAC_PI_2, TAU};
@@ -33,7 +33,7 @@ pub(crate) fn round_rows(limit: f64) -> Harmonic<SVector<f64, 3>> {
 }
 
 /// Whether a condition `value >= 0` with the coefficients `row` is violated by more than rounding. The rounding error of the force is proportional to
-/// `size`, N.
+/// its rounding scale `size`, N.
 pub(crate) fn is_broken(value: f64, row: &SVector<f64, 3>, size: f64) -> bool {
     value < -ZERO_SLACK * row.norm() * size
 }
@@ -58,7 +58,7 @@ impl Edges {
         }
     }
 
-    /// Whether a force satisfies all conditions up to rounding. The rounding error of the force is proportional to `size`, N.
+    /// Whether a force satisfies all conditions up to rounding. The rounding error of the force is proportional to its rounding scale `size`, N.
     pub(crate) fn hold(&self, force: &SVector<f64, 3>, size: f64) -> bool {
         self.worst(force).is_none_or(|(row, value)| !is_broken(value, &row, size))
     }
@@ -101,9 +101,8 @@ impl Edges {
         })
     }
 
-    /// The load keeps its size and turns, so that the contact force is a harmonic function of the load's angle. For each condition that this force
-    /// violates, returns an angle at which the violation has a local maximum. Angles are from 0 to `most`, rad, and `force` is the contact force as a
-    /// function of the angle.
+    /// For each condition that the force violates while the load turns, an angle of the load at which the violation has a local maximum. The load
+    /// keeps its magnitude, so the contact force `force` is a harmonic function of the angle. Angles are from 0 to `most`, rad.
     pub(crate) fn on_a_turn(&self, force: &Harmonic<SVector<f64, 3>>, most: f64) -> Vec<f64> {
         let nothing = Harmonic::new([SVector::zeros(); 3]);
         let margins = match self {
@@ -116,14 +115,14 @@ impl Edges {
 
 /// The angles of all local minima of a periodic function of an angle.
 fn local_minima(of: &dyn Fn(f64) -> f64) -> Vec<f64> {
-    // Number of samples around the circle, one every 10 degrees. A local minimum that is narrower than this spacing could be missed.
+    // The function is sampled every 10 degrees. The samples could miss a local minimum that is narrower than this spacing.
     let count = 36;
     let step = TAU / count as f64;
     let values: Vec<f64> = numbered(count, &|k| of(step * k as f64));
     let lowest =
         |k: &usize| values[*k] <= values[(k + count - 1) % count] && values[*k] < values[(k + 1) % count];
     let refine = |k: usize| {
-        // Golden-section search between the two neighbours, which enclose the minimum.
+        // A golden-section search narrows the interval between the two neighbours, which enclose the minimum.
         let golden = 0.5 * (5.0_f64.sqrt() - 1.0);
         let (mut from, mut to) = (step * (k as f64 - 1.0), step * (k as f64 + 1.0));
         for _ in 0..60 {

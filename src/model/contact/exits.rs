@@ -2,7 +2,8 @@
 //! contacts keep their states, the contact forces follow such a line. The step is the parameter of the line.
 //!
 //! A polygonal friction cone has facets `h·F_t <= μ F_n` with outward normals h, tangential force F_t and normal force F_n. The apex of a cone is
-//! zero force. The margin of a force is `μ F_n - h·F_t` at a facet, and `μ F_n - |F_t|` on the round cone: zero on the edge, positive inside.
+//! zero force. The margin of a force is `μ F_n - h·F_t` at a facet, and `μ F_n - |F_t|` on the round cone: zero on the boundary, positive inside. In
+//! code names an edge is the boundary. A rounding scale is the magnitude of the terms of a sum, to which its rounding error is proportional.
 
 use crate::numerics::{Each, IntoList};
 use nalgebra::SVector;
@@ -24,8 +25,8 @@ pub(crate) struct Exit {
     pub(crate) facet: SVector<f64, 3>,
 }
 
-/// A straight line of contact forces, `force + step rate`, N, with the parameter `step`. Rounding errors are proportional to the fields `force_size`
-/// (error of `force`) and `rate_size` (error of `rate`).
+/// A straight line of contact forces, `force + step rate`, N, with the parameter `step`. The fields `force_size` and `rate_size` are the rounding
+/// scales of `force` and `rate`, N.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Line {
     pub(crate) force: SVector<f64, 3>,
@@ -45,8 +46,8 @@ impl Line {
     }
 }
 
-/// The gap of a contact, m, and its rate per unit of the parameter `step` of a line of forces, m. Gap and rate are differences of displacements,
-/// whose magnitudes are `size` and `rate_size`.
+/// The gap of a contact, m, and its rate per unit of the parameter `step` of a line of forces, m. Both are differences of displacements, whose
+/// magnitudes `size` and `rate_size`, m, are their rounding scales.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct GapLine {
     pub(crate) gap: f64,
@@ -84,8 +85,8 @@ impl LocalLaw<'_> {
         }
     }
 
-    /// The first exit of a sticking contact's force from its cone, and the step of the second exit. The second step is infinite if no second exit
-    /// exists. `None` if the force never leaves the cone.
+    /// The first exit of a sticking contact's force from its cone, and the step of the next exit. That step is infinite if there is no next exit.
+    /// `None` if the force never leaves the cone.
     pub(crate) fn first_exit(&self, line: &Line) -> Option<(Exit, f64)> {
         let mut first: Option<Exit> = None;
         let mut next = f64::INFINITY;
@@ -118,7 +119,7 @@ impl LocalLaw<'_> {
     }
 
     /// Calls `visit` for every facet of the polygonal cone that the line reaches, with the exit at this facet. If the contact has no facets but may
-    /// open, the only exit is the step at which the normal force vanishes.
+    /// open, the only exit is the point at which the normal force vanishes.
     fn for_each_polygon_exit(&self, line: &Line, mut visit: impl FnMut(Exit)) {
         let (cone, facets) = (self.cone(), self.facets());
         if facets.is_empty() && self.may_open() {
@@ -145,8 +146,8 @@ impl LocalLaw<'_> {
     /// c₀ + 2 c₁ s + c₂ s² = 0,   c₀ = (μF_n - |F_t|)(μF_n + |F_t|),   c₁ = μ²F_n F_n' - F_t·F_t',   c₂ = μ²F_n'² - |F_t'|²
     /// ```
     ///
-    /// The root is computed as `s = c₀ / (√(c₁² - c₀c₂) - c₁)`, which avoids cancellation. A line that starts on the edge (c₀ = 0) and points inwards
-    /// can only return at `s = -2c₁/c₂`. `None` if the line does not leave the cone.
+    /// The root is computed as `s = c₀ / (√(c₁² - c₀c₂) - c₁)`, which avoids cancellation. A line that starts on the boundary (c₀ = 0) and points
+    /// inwards can only return at `s = -2c₁/c₂`. `None` if the line does not leave the cone.
     fn round_exit(&self, line: &Line) -> Option<Exit> {
         let cone = self.cone();
         let (t0, t1) = (tangential(&line.force), tangential(&line.rate));
@@ -172,7 +173,7 @@ impl LocalLaw<'_> {
         // Near a double root the discriminant loses digits by cancellation. The margin μF_n - |F_t| itself is concave and does not cancel, so Newton
         // steps on the margin restore the digits.
         let mut moved = 0.0;
-        // Number of Newton steps on the margin; each step doubles the number of correct digits of the root.
+        // Three Newton steps on the margin follow; each doubles the number of correct digits of the root.
         for _ in 0..3 {
             let at = t0 + t1 * step;
             let slope = n1 - leaves(&at).dot(&t1);
@@ -220,8 +221,8 @@ impl LocalLaw<'_> {
 /// returns the function and its derivative. `None` if not even the first step leads to a smaller argument.
 fn newton_from_above(mut at: f64, value: impl Fn(f64) -> (f64, f64)) -> Option<f64> {
     let start = at;
-    // Upper bound of the number of Newton steps. Near the apex the margin μF_n - |F_t| is curved over distances of the order of rounding; farther
-    // away each step doubles the correct digits.
+    // At most sixty Newton steps are made. Near the apex the margin μF_n - |F_t| is curved over distances of the order of rounding; farther away each
+    // step doubles the correct digits.
     for _ in 0..60 {
         let (height, slope) = value(at);
         let better = at - height / slope;

@@ -3,11 +3,11 @@
 //! A search proves that no equilibrium exists by dividing the states of the contacts into ever smaller sets. A label describes such a set of states
 //! of one contact. It fixes whether the contact is open or closed, whether it sticks or slides, and between which angles its friction points.
 //!
-//! The stretch v of a contact is the displacement of its finger less clearance and earlier slip, minus the displacement of the object at the contact.
-//! The contact law is positively homogeneous: with a stretch v and a force F it also allows every positive multiple of both. This remains true if a
-//! label restricts the states. Let K be the diagonal matrix of the contact's stiffnesses, K_t its tangential part, and μ the coefficient of friction.
-//! Let e_n be the unit normal, e_t a unit tangent along an axis, and p any unit tangent. In force units `ξ = K v`, the hull is spanned by pairs of ξ
-//! and F. Each row has two pairs:
+//! The stretch v of a contact is the displacement of its finger, less clearance and earlier slip, minus the displacement of the object at the
+//! contact. The contact law is positively homogeneous: with a stretch v and a force F it also allows every positive multiple of both. This remains
+//! true if a label restricts the states. Let K be the diagonal matrix of the contact's stiffnesses, K_t its tangential part, and μ the coefficient of
+//! friction. Let e_n be the unit normal, e_t a unit tangent along an axis, and p any unit tangent. In force units `ξ = K v`, the hull is spanned by
+//! pairs of ξ and F. Each row has two pairs:
 //!
 //! ```text
 //!                   ξ            F
@@ -128,8 +128,8 @@ impl Sector {
 
     /// Directions whose nonnegative combinations include every direction of the sector.
     fn spanned(&self) -> impl Iterator<Item = [f64; 2]> {
-        // Neighbouring directions differ by at most 0.6 π. From a half turn on, their nonnegative combinations would not include the directions
-        // between.
+        // Neighbouring directions differ by at most 0.6 π. If they differed by a half turn or more, their nonnegative combinations would not include
+        // the directions between.
         let pieces = self.pieces(0.6 * PI);
         let step = self.width() / f64::from(pieces);
         let from = self.from;
@@ -247,7 +247,7 @@ impl LocalLaw<'_> {
     /// hulls.
     ///
     /// A label without a sector is divided into open and closed, or into two sectors of friction directions. A sector of a sticking contact is
-    /// halved. Any other sector is cut between the directions of the friction force and of the slip, or halved if it is wide. If the size of the
+    /// halved. Any other sector is cut between the directions of the friction force and of the slip, or halved if it is wide. If the magnitude of the
     /// friction force violates the law more than its direction, the label is divided into sticking and sliding. `None` if the label cannot be
     /// divided.
     pub(crate) fn divide(

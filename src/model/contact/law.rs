@@ -2,11 +2,12 @@
 //!
 //! The forces of an equilibrium, and their rates as the load grows, solve problems of the same kind. In the equilibrium problem every contact has its
 //! whole cone. In the problem for the rates, a contact with its force inside the cone is bonded: it neither opens nor slides. An open contact is
-//! absent: it has no force. A contact with its force on an edge of the cone has only this edge as a condition. A contact at the apex, where the force
-//! is zero, has the whole cone again.
+//! absent: it has no force. If the force lies on the boundary of the cone, only the facets on which it lies are conditions. A contact at the apex,
+//! where the force is zero, has the whole cone again.
 //!
-//! The round cone is |F_t| <= μ F_n. A polygonal cone replaces it by plane facets `h·F_t <= μ F_n`, where h is the outward normal of a facet in the
-//! tangent plane. Two neighbouring facets meet at a corner.
+//! The round cone is |F_t| <= μ F_n; its tangent plane along the friction force counts as a facet. A polygonal cone replaces it by plane facets
+//! `h·F_t <= μ F_n`, where h is the outward normal of a facet in the tangent plane. Two neighbouring facets meet at a corner. In code names an edge
+//! is the boundary of a cone, or the facets on which the force lies.
 
 use nalgebra::SVector;
 
@@ -29,8 +30,8 @@ pub(crate) enum Law {
         /// `true` if the contact may also open: then gap and normal force are complementary.
         gap: bool,
     },
-    /// The force lies on an edge of the cone with F_n > 0. Only the facets `h·F_t <= μ F_n` with these normals h are conditions. The list has at most
-    /// as many facets as the contact frame has tangents: one in the plane, two in space.
+    /// The force lies on the boundary of the cone with F_n > 0. Only the facets `h·F_t <= μ F_n` with these normals h are conditions. The list has at
+    /// most as many facets as the contact frame has tangents: one in the plane, two in space.
     Edge(Vec<SVector<f64, 3>>),
 }
 
@@ -151,8 +152,8 @@ impl<'c> LocalLaw<'c> {
         if self.is_absent() { Mode::Open } else { Mode::Sticking }
     }
 
-    /// The state in which the contact has the least stiffness: sliding if the force is on an edge of the cone, open if the contact may open. Under
-    /// any other law it is the state of the elastic trial, in which nothing slips or opens.
+    /// The state in which the contact has the least stiffness: sliding if the force is on the boundary of the cone, open if the contact may open.
+    /// Under any other law it is sticking, or open for an absent contact.
     pub(crate) fn yielding(&self) -> State {
         match self.law {
             Law::Edge(facets) if facets.len() == 2 => Mode::Corner(0),
@@ -181,8 +182,8 @@ impl<'c> LocalLaw<'c> {
         states
     }
 
-    /// The state in which the contact slips on all facets in `facets` at once. Facets are given by their indices among [`Self::facets`], counted from
-    /// 0, in ascending order. On facets without a common corner the contact can only slip at the apex, where F = 0; the state is then open.
+    /// The state in which the contact slides on all facets in `facets` at once. Facets are given by their indices among [`Self::facets`], counted
+    /// from 0, in ascending order. On facets without a common corner the contact can only slip at the apex, where F = 0; the state is then open.
     pub(crate) fn slipping_state(&self, facets: &[u16]) -> State {
         let count = self.facets().len();
         match *facets {

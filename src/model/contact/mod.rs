@@ -15,14 +15,14 @@
 //! | `straight_stretch` | the force after a stretch that grows along a straight line, while the slip direction turns |
 //! | `relaxing_slide` | the slip direction after a straight stretch with unequal tangential springs |
 //! | `tangent` | the tangent stiffness: derivative of the force with respect to the stretch |
-//! | `conditions` | the inequalities of a state, with the sizes to which their rounding errors are proportional |
+//! | `conditions` | the inequalities of a state, with the magnitudes to which their rounding errors are proportional |
 //! | `hull` | convex hull of all stretches and forces that the law allows if only part of the state is known |
 //! | `most_work` | upper bound of a contact's work along a virtual motion |
 //! | `resistance` | upper bound of a contact's power against a motion, for any previous slip |
-//! | `edges` | the conditions on the force of a sticking contact, and which of them a set of forces violates most |
+//! | `edges` | the boundary of the friction cone as linear conditions on the force, and which of them a set of forces violates most |
 //! | `exits` | the step along a straight line of forces at which a contact leaves its state |
 //! | `turning_exits` | the angle of a turning load at which a contact leaves its state |
-//! | `active_set` | the edges of the friction cone that the force reaches as its state changes, and the law of the rates just after the change |
+//! | `active_set` | the facets of the friction cone on which the force lies as the state changes, and the law of the rates just after the change |
 //! | `tolerances` | limits below which a quantity counts as zero |
 
 mod active_set;

@@ -1,5 +1,5 @@
 //! Upper bound, in closed form, of the work of a contact along a virtual force and a virtual motion. A label restricts the states of the contact. The
-//! hull of a label is the convex cone of the stretches v and forces F that the label allows; a few generators span it, see `hull`.
+//! hull of a label is the convex cone of the stretches v and forces F that the label allows; a few generators span it (see `hull`).
 //!
 //! Let φ be the virtual force and u the virtual motion, and let `w(v, F) = φ·v + u·F` be the work. K is the diagonal matrix of the stiffnesses, K_t
 //! its tangential part, μ the coefficient of friction and c = K⁻¹φ. Indices n and t mark the normal and the tangential part of a vector. The work is
@@ -14,8 +14,8 @@
 //! The generators are scaled to length one in energy units (stretches times K^{1/2}, forces times K^{-1/2}). If none of these values is positive, the
 //! contact does no positive work in any state that the label allows.
 //!
-//! In the law for rates as the load grows, a contact may lie on an edge `μ F_n >= h·F_t` of the cone. Its generators are then forces along the edge
-//! in both directions, forces into the cone, and slips along h.
+//! In the law for rates as the load grows, one or two facets `μ F_n >= h·F_t` of the cone may be the only conditions. The generators are then forces
+//! along these facets in both directions, forces into the cone, and slips along h. In code names an edge is the boundary of the cone.
 
 use nalgebra::SVector;
 
@@ -95,8 +95,8 @@ impl LocalLaw<'_> {
         most.copied().unwrap_or_else(SVector::zeros)
     }
 
-    /// Calls `visit` with generators of the forces of a contact on an edge of its friction cone. The edge belongs to `facets`. Generators point along
-    /// the edge in both directions, and into the cone.
+    /// Calls `visit` with generators of the forces that the facets `facets` allow, one or two in number. Generators point along the facet, or along
+    /// the corner of both, in both directions, and into the cone.
     fn for_each_force_at_an_edge(&self, facets: &[SVector<f64, 3>], mut visit: impl FnMut(SVector<f64, 3>)) {
         let edge = self.edge(&self.yielding());
         let on_the_edge = self.cone().generator(&edge.pull);

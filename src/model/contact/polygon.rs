@@ -13,7 +13,7 @@ use crate::error::Error;
 use crate::numerics::{Each, Once, Space, mapped, numbered};
 use crate::prelude::*;
 
-/// Size of the polygon of m facets relative to the unit circle, the section of the round cone at `μ F_n = 1`.
+/// Where the polygon of m facets lies relative to the unit circle, the section of the round cone at `μ F_n = 1`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -76,7 +76,7 @@ impl PolygonCone {
         Self { facets: 4, fit: PolygonFit::Inscribed }
     }
 
-    /// Number of facets m.
+    /// Number of facets of the cone, at least 3.
     #[must_use]
     pub fn facets(&self) -> usize {
         self.facets
@@ -170,7 +170,8 @@ pub(crate) fn corner(h1: &SVector<f64, 3>, h2: &SVector<f64, 3>) -> SVector<f64,
 /// Cosine and sine of an angle, rad: the direction of a facet or corner in the tangent plane.
 fn direction(angle: f64) -> [f64; 2] {
     let (sin, cos) = angle.sin_cos();
-    // Cosines and sines below 1e-15 are rounding errors of zero. A cosine of 6e-17 instead of 0 would break the ties of symmetric grasps.
+    // Cosines and sines below 1e-15 would be zero in exact arithmetic. If a cosine were 6e-17 instead of 0, facets that symmetric grasps reach
+    // together would be reached one after the other.
     [cos, sin].each(|x| if x.abs() < 1e-15 { 0.0 } else { x })
 }
 

@@ -1,11 +1,11 @@
-//! A contact in a known state is equivalent to a few springs. Let v_i be the stretch of contact i, a_i its offset (commanded displacement), G_i its
-//! grasp map and q the motion of the object. Spring r is stretched along the vector stretch_r (`stretch_direction`) and pushes along push_r
-//! (`push_direction`).
+//! A contact in a known state is equivalent to a few springs. Let v_i be the stretch of contact i, a_i its offset (commanded displacement minus
+//! clearance and earlier slip), G_i its grasp map and q the motion of the object. Spring r is stretched along the vector stretch_r
+//! (`stretch_direction`) and pushes along push_r (`push_direction`).
 //!
 //! Let k_a be the stiffness along axis a of the contact frame and e_a the unit vector of this axis; n marks the normal. K_t is the diagonal matrix of
 //! the tangential stiffnesses, and μ the coefficient of friction. A sliding contact has a normal spring whose force F_n is accompanied by the
 //! friction force μ F_n p. The vector p is a corner of the polygonal cone, or follows from the normal h of a facet. On the round cone h is the slip
-//! direction, and `S = (K_t⁻¹ + λ)⁻¹` is K_t softened by the slip per friction force λ.
+//! direction, and `S = (K_t⁻¹ + λ)⁻¹` is K_t softened by λ, the slip per unit of friction force.
 //!
 //! ```text
 //! F_i = Σ_r push_r (stretch_r · v_i),     v_i = a_i - G_iᵀq
@@ -62,7 +62,7 @@ impl Spring {
     /// The normal spring of a sliding contact, of stiffness k. Its force consists of F_n along the normal and the friction force `μ F_n pull`.
     fn dragging(k: f64, mu: f64, pull: &SVector<f64, 3>) -> Self {
         let root = k.sqrt();
-        // `stretch_direction` is multiplied by the number `balance`, and `push_direction` is divided by it. With a large μ `push_direction` would
+        // `stretch_direction` is multiplied by the number `balance`, and `push_direction` is divided by it. If μ is large, `push_direction` would
         // otherwise be far longer than `stretch_direction`.
         let balance = (1.0 + mu * pull.norm()).sqrt();
         let (mut stretch_direction, mut push_direction) = (SVector::zeros(), SVector::zeros());
@@ -104,8 +104,8 @@ impl LocalLaw<'_> {
         }
     }
 
-    /// The edge of the cone on which a contact in this state slides. On a facet with normal h, `pull` is `K_t h / (h·K_t h)`, and a spring acts
-    /// across the slip. At a corner, `pull` is the vector of the corner, and no spring acts across the slip.
+    /// The linearised boundary of the cone on which a contact in this state slides. On a facet with normal h, `pull` is `K_t h / (h·K_t h)`, and a
+    /// spring acts across the slip. At a corner, `pull` is the vector of the corner, and no spring acts across the slip.
     #[inline]
     pub(crate) fn edge(&self, state: &State) -> Edge {
         if let Mode::Round(slide) = state {

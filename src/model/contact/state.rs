@@ -43,7 +43,7 @@ impl<R> Mode<R> {
         matches!(self, Self::Sticking)
     }
 
-    /// Whether both states are of the same kind, ignoring the direction of a slide on the round cone.
+    /// Whether both states are equal if the direction of a slide on the round cone is ignored.
     pub(crate) fn is_kind_of<Q>(&self, other: &Mode<Q>) -> bool {
         match (self, other) {
             (Self::Open, Mode::Open)
@@ -72,7 +72,7 @@ impl State {
     }
 
     /// A slide on the round cone with friction along a tangent. Any earlier slip is already subtracted in the contact's offset (commanded
-    /// displacement minus clearance and slip), so the slip per force λ is 0.
+    /// displacement minus clearance and slip), so λ, the slip per unit of friction force, is 0.
     pub(crate) fn sliding_along(friction: &SVector<f64, 3>) -> Self {
         Self::Round(Slide::new(friction, 0.0))
     }

@@ -10,10 +10,9 @@
 //! ```
 //!
 //! With two different tangential stiffnesses [`RelaxingSlide`] gives the direction. Once sliding begins, it continues to the end, since |d| cos ψ
-//! grows and r' is constant. The return map of [`LocalLaw::answer`] uses only the final stretch instead. The return map is exact if sliding starts at
-//! the apex, where the traction keeps its direction; otherwise the return map is correct to first order. For the same closed form with a constant
-//! radius see R. D. Krieg and D. B. Krieg, Accuracies of numerical solution methods for the elastic-perfectly plastic model, J. Pressure Vessel
-//! Technology 99 (1977) 510.
+//! grows and r' is constant. The return map of [`LocalLaw::answer`] uses only the final stretch instead. It is exact if sliding starts at the apex,
+//! where the traction keeps its direction; otherwise it is correct to first order. For the same closed form with a constant radius see R. D. Krieg
+//! and D. B. Krieg, Accuracies of numerical solution methods for the elastic-perfectly plastic model, J. Pressure Vessel Technology 99 (1977) 510.
 
 use crate::numerics::Each;
 use nalgebra::SVector;
@@ -67,7 +66,7 @@ impl LocalLaw<'_> {
         let (t, d) = (tangential(from), tangential(rate));
         let (r, growth) = (self.friction.limit(from[0]), self.friction.limit(rate[0]));
         let size = t.norm();
-        // A traction that differs from the friction limit by at most the fraction `SOLVED_ROUNDING` is on the cone. A previous step along the load
+        // A traction that differs from the friction limit by at most the fraction `SOLVED_ROUNDING` is on the cone. The previous step along the load
         // path leaves such rounding errors.
         if size >= r * (1.0 - SOLVED_ROUNDING) && t.dot(&d) > growth * size {
             return Some(0.0);
@@ -85,7 +84,7 @@ impl LocalLaw<'_> {
         (tau > 0.0 && tau < 1.0).then_some(tau)
     }
 
-    /// State and force after sliding for the remaining time `rest`, from a force on the edge of the cone.
+    /// State and force after sliding for the remaining time `rest`, from a force on the boundary of the cone.
     fn slid_on(&self, from: &SVector<f64, 3>, rate: &SVector<f64, 3>, rest: f64) -> ContactResponse {
         let normal = from[0] + rate[0] * rest;
         let [r0, r1] = [from[0], normal].each(|f| self.friction.limit(f.max(0.0)));

@@ -8,8 +8,8 @@
 //! ```
 //!
 //! While the contact slides, the normal spring also changes the friction force, and a spring acts across the slip. P is the ratio of the friction
-//! force to μ F_n, d the tangent across the slip, and κ the stiffness of that spring, see [`Edge`]. A sum over many contacts adds the dyads one by
-//! one. Each contact has at most as many dyads as C has columns, and each dyad costs one multiplication per entry.
+//! force to μ F_n, d the tangent across the slip, and κ the stiffness of that spring ([`Edge`] contains all three). A sum over many contacts adds the
+//! dyads one by one. Each contact has at most as many dyads as C has columns, and each dyad costs one multiplication per entry.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -24,7 +24,7 @@ pub(crate) enum Tangent {
     Open,
     /// The contact sticks: the diagonal of K, N/m.
     Sticking(SVector<f64, 3>),
-    /// The contact slides on an edge of the cone.
+    /// The contact slides on the boundary of the cone.
     Sliding {
         /// Change of force per normal stretch, `k_n (e_n + μ P)`, N/m.
         drag: SVector<f64, 3>,

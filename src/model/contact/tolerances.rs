@@ -1,8 +1,9 @@
-//! Limits below which a quantity of a contact counts as zero, in all solvers that use the contact law. The size of a quantity is the magnitude of the
-//! terms whose difference it is. A margin is what is left of a friction limit; the apex of a cone is zero force.
+//! Limits below which a quantity of a contact counts as zero, in all solvers that use the contact law. A margin is what is left of a friction limit;
+//! the apex of a cone is zero force.
 
 /// A friction margin `μ F_n - |F_t|` or a gap counts as zero below this fraction of the terms from which it is computed. Forces and gaps from one
-/// linear solve have rounding errors of this order. Symmetric grasps reach several edges at once, and these must count as one event.
+/// linear solve have rounding errors of this order. In symmetric grasps the forces of several contacts reach their cones at the same load, and this
+/// must count as one event.
 pub(crate) const ZERO_SLACK: f64 = 5e-14;
 
 /// A condition counts as satisfied if it is violated by no more than an allowance for rounding, relative to the terms of the condition. The allowance

@@ -20,9 +20,9 @@ use crate::prelude::*;
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Wave {
     pub(crate) of: Harmonic<SVector<f64, 3>>,
-    /// Size of the vector, N or m, to which the rounding error of its values is proportional.
+    /// Rounding scale of the values of the vector, N or m: the magnitude to which their rounding error is proportional.
     pub(crate) size: f64,
-    /// Size of the terms with cos φ and sin φ, N or m, to which the rounding error of the rates is proportional.
+    /// Magnitude of the terms with cos φ and sin φ, N or m, to which the rounding error of the rates is proportional.
     pub(crate) turning_size: f64,
 }
 
@@ -33,12 +33,12 @@ impl Wave {
     }
 }
 
-/// An event of a contact while the load turns: the contact leaves its state, or its force only touches an edge of the friction cone.
+/// What happens at a contact while the load turns: it leaves its state, or its force only touches the boundary of the friction cone.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum TurningExit {
     /// The contact leaves its state; `step` of the exit is the angle, rad.
     Leaves(Exit),
-    /// At this angle, rad, the force touches an edge of the cone to within rounding, without crossing it.
+    /// At this angle, rad, the force touches the boundary of the cone to within rounding, without crossing it.
     Touches(f64),
 }
 
@@ -111,7 +111,7 @@ impl LocalLaw<'_> {
         let here = wave.of.at(0.0);
         let friction = tangential(&here);
         if cone.round_margin(&here) <= slack && friction.norm() > slack {
-            // On the edge of the cone, the friction margin at the tangent facet decides whether the force moves inwards or outwards.
+            // On the boundary of the cone, the friction margin at the tangent facet decides whether the force moves inwards or outwards.
             let outward = friction.normalize();
             let margin = wave.component(|f| cone.facet_margin(f, &outward));
             if Start::of(&margin, slack, ZERO_SLACK * weight * wave.turning_size) == Start::Falls {
@@ -158,7 +158,7 @@ impl LocalLaw<'_> {
     fn polished(&self, wave: &Wave, angle: f64) -> f64 {
         let cone = self.cone();
         let mut step = angle;
-        // Number of Newton steps; each step doubles the number of correct digits of the root.
+        // Three Newton steps follow; each doubles the number of correct digits of the root.
         for _ in 0..3 {
             let (at, rate) = (wave.of.at(step), wave.of.rate_at(step));
             let slope = cone.facet_margin(&rate, &outward(&at));
