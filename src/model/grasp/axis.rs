@@ -18,8 +18,8 @@ impl Twist<3> {
         self.parts_in(Space::Spatial)
     }
 
-    /// The two parts of a twist in the plane or in space, as `space` says: the translation of the body's point at the origin, m, and the rotation,
-    /// rad.
+    /// The two parts of a twist in the plane or in space, depending on `space`: the translation of the body's point at the origin, m, and the
+    /// rotation, rad.
     pub(crate) fn parts_in(&self, space: Space) -> (SVector<f64, 3>, Rotation) {
         let (along, turning) = self.components().split_at(3);
         let rotation = match space {

@@ -6,8 +6,8 @@ use core::fmt;
 
 use crate::numerics::Once;
 
-/// A value computed on first use, of a type that only the caller knows. It may depend only on the contacts and drives (springs of joints and tendons)
-/// of a grasp.
+/// A value computed on first use, of a type that only the caller knows. It may depend only on the contacts of a grasp and on its drives, the springs
+/// of joints and tendons.
 #[derive(Clone, Default)]
 pub(crate) struct CachedValue(Once<Arc<dyn Any + Send + Sync>>);
 

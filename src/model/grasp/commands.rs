@@ -25,8 +25,8 @@ impl<const C: usize> Contact<C> {
         self
     }
 
-    /// Commanded displacement of the finger's core, as in [`Self::command`], but along the **coordinate axes**, m. The command is converted to the
-    /// contact frame when the grasp is made, so normal and tangent may be set later.
+    /// Commanded displacement u_f of the finger's core along the **coordinate axes**, m. The core is the finger without the deformation at its
+    /// contact. The command is converted to the contact frame when the grasp is made, so normal and tangent may be set later.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp};
@@ -44,8 +44,8 @@ impl<const C: usize> Contact<C> {
     }
 
     setters! {
-        /// Sets the squeeze as a force, N, zero or positive. The finger is commanded to the **position** at which it presses with this force on an
-        /// object that does not move. The squeeze replaces the normal component of the command by `clearance + force / k_n`, with the normal series
+        /// Sets the commanded normal force, N, zero or positive. The finger is commanded to the **position** at which it presses with this force on
+        /// an object that does not move. The force replaces the normal component of the command by `clearance + force / k_n`, with the normal series
         /// stiffness k_n. The tangential components stay. When the object moves, the force changes. Fingers with unequal forces therefore push the
         /// object until their forces balance.
         ///
@@ -147,8 +147,8 @@ impl<const C: usize> Contact<C> {
         self
     }
 
-    /// Multiplies the squeeze of this contact by `factor`: its command, constant force and vacuum, and the force prescribed for the equilibrium under
-    /// constant loads alone.
+    /// Multiplies by `factor` everything by which this contact presses without a load: its command, constant force and vacuum, and the force
+    /// prescribed for the equilibrium under constant loads alone.
     pub(crate) fn squeeze(&mut self, factor: f64) {
         self.command *= factor;
         self.force = self.force.map(|force| force * factor);

@@ -71,7 +71,8 @@ pub struct Contact<const C: usize> {
     pub(crate) command: SVector<f64, C>,
     /// Axes of `command`; they are the axes of the contact frame once the contact is part of a grasp.
     pub(crate) command_axes: CommandAxes,
-    /// Pressing force that replaces the normal component of the command, N; converted to a command once the contact is part of a grasp.
+    /// Commanded normal force, N, which replaces the normal component of the command. It is converted to a command once the contact is part of a
+    /// grasp.
     pub(crate) press: Option<f64>,
     /// Prescribed normal force in the equilibrium under the constant loads alone, after all springs have deflected, N. When the grasp is made, the
     /// command that leads to this force is computed.
@@ -131,8 +132,8 @@ impl<const C: usize> Contact<C> {
         pub fn against(mut self, body: impl Into<String>) { self.against = Some(body.into().into()); }
 
         /// Sets a vacuum that pulls the object onto the contact, against the normal, with a constant force, N, zero or positive. The rim of the
-        /// suction cup presses with this force, less the part of the load that pulls the object off. See [`SuctionCup`](super::SuctionCup), whose
-        /// rim, called lip, is a ring of points.
+        /// suction cup presses with this force, less the part of the load that pulls the object off. A [`SuctionCup`](super::SuctionCup) consists of
+        /// a ring of such contact points, its rim or lip.
         pub fn suction(mut self, force: f64) { self.suction = force; }
 
         /// Sets the name for messages and tables.
@@ -170,10 +171,10 @@ impl<const C: usize> Contact<C> {
         /// far, and may be lost although the overdamped object is held. See the [guide](crate::guide::kinetic_friction).
         ///
         /// [`follow`](crate::ask::Grasp::follow), [`hold`](crate::ask::Grasp::hold), [`shake`](crate::ask::Grasp::shake) and the needs
-        /// [`to_hold`](crate::need::Need::to_hold) and [`to_rest`](crate::need::Need::to_rest) take kinetic friction into account. The first slip
-        /// does not depend on kinetic friction. [`solve`](crate::ask::Grasp::solve) refuses an equilibrium in which a contact with kinetic friction
-        /// slides. [`follow_in_steps`](crate::ask::Grasp::follow_in_steps) refuses grasps with kinetic friction. All other questions of a grasp
-        /// concern contacts that do not slide.
+        /// [`to_hold`](crate::need::Need::to_hold) and [`to_rest`](crate::need::Need::to_rest) take kinetic friction into account. First slip, the
+        /// event at which the first contact ceases to stick, does not depend on kinetic friction. [`solve`](crate::ask::Grasp::solve) refuses an
+        /// equilibrium in which a contact with kinetic friction slides. [`follow_in_steps`](crate::ask::Grasp::follow_in_steps) refuses grasps with
+        /// kinetic friction. All other questions of a grasp concern contacts that do not slide.
         ///
         /// ```
         /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
@@ -192,7 +193,7 @@ impl<const C: usize> Contact<C> {
         #[doc(alias = "dynamic friction")]
         pub fn kinetic(mut self, mu: f64) { self.kinetic = Some(mu); }
 
-        /// Keeps the contact closed, so that it never opens; see [`Hold::KeptClosed`].
+        /// Keeps the contact closed, so that it never opens ([`Hold::KeptClosed`]).
         ///
         /// ```
         /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
@@ -210,7 +211,7 @@ impl<const C: usize> Contact<C> {
         /// ```
         pub fn kept_closed(mut self) { self.hold = Hold::KeptClosed; }
 
-        /// Glues the surfaces at the contact; see [`Hold::Bonded`].
+        /// Glues the surfaces at the contact, so that it neither opens nor slips ([`Hold::Bonded`]).
         pub fn bonded(mut self) { self.hold = Hold::Bonded; }
     }
 

@@ -1,5 +1,5 @@
 //! Displacements of object, joints and bodies in the engine's coordinates, in the form in which answers store them. In these coordinates every angle
-//! is multiplied by a reference length, see the module `inside`.
+//! is multiplied by a reference length.
 
 use nalgebra::SVector;
 
@@ -21,7 +21,8 @@ impl Coordinates {
         Self::of_in(coordinates, Vec::new())
     }
 
-    /// Makes the same value as [`Self::of`], in the memory of the list `more`, which receives the coordinates beyond the first six.
+    /// The coordinates in the form in which answers store them. The list `more`, whose storage is used again, receives the coordinates beyond the
+    /// first six.
     pub(crate) fn of_in(coordinates: &Vector, mut more: Vec<f64>) -> Self {
         let all = coordinates.as_slice();
         let (in_place, others) = all.split_at(WHOLE.min(all.len()));
@@ -42,7 +43,7 @@ impl Coordinates {
         coordinates
     }
 
-    /// Moves out the list `more`, which holds the coordinates beyond the first six, so that its memory can be reused.
+    /// Moves out the list `more`, which holds the coordinates beyond the first six, so that its storage can be used again.
     pub(crate) fn take_list(&mut self) -> Vec<f64> {
         core::mem::take(&mut self.more)
     }

@@ -1,5 +1,6 @@
-//! Commands and torques of a grasp, and copies of the grasp with other commands or torques. A drive is the spring of a joint or tendon; the engine
-//! treats it like a contact.
+//! Commands and torques of a grasp, and copies of the grasp with other commands or torques. A drive is the spring of a joint or tendon of a hand,
+//! with its force limit; the engine treats it like a contact. The offset of a contact is its commanded displacement less the clearance; the offset of
+//! a drive is the stretch of its spring due to commands.
 
 use alloc::borrow::Cow;
 
@@ -74,8 +75,8 @@ impl Engine {
         grasp
     }
 
-    /// A copy of this grasp in which all that presses without a load is multiplied by `factor`: commands, constant forces and torques, tensions,
-    /// vacuums. See [`Grasp::squeezed`](crate::ask::Grasp::squeezed).
+    /// A copy of this grasp in which the squeeze, all by which contacts press without a load, is multiplied by `factor`: commands, constant forces
+    /// and torques, tensions, vacuums. See [`Grasp::squeezed`](crate::ask::Grasp::squeezed).
     pub(crate) fn squeezed(&self, factor: f64) -> Result<Self, Error> {
         if !is_moderate(factor) {
             return Err(Error::Argument { what: "factor of the squeeze", value: factor, allowed: MODERATE });
@@ -162,15 +163,15 @@ impl Engine {
         self.linkage.as_ref().map_or(&[], |linkage| &linkage.commands)
     }
 
-    /// Offsets of all contacts, then of a hand's drives: the commanded displacements that stretch their springs. The offset a_i of a contact is its
-    /// command in the contact frame, less the clearance along the normal.
+    /// Offsets of all contacts, then of the drives, m, in their contact frames. The offset a_i of a contact is its command, less the clearance along
+    /// the normal.
     pub(crate) fn offsets(&self) -> Vec<SVector<f64, 3>> {
         let mut offsets = Vec::new();
         self.offsets_into(&mut offsets);
         offsets
     }
 
-    /// Writes the offsets that [`Self::offsets`] returns, the commanded displacements of the springs of contacts and drives, into existing memory.
+    /// Writes the offsets of all contacts, then of the drives, m, to the list `offsets`, whose storage is used again.
     pub(crate) fn offsets_into(&self, offsets: &mut Vec<SVector<f64, 3>>) {
         self.offsets_under(
             self.contacts.iter().map(|contact| contact.command),
@@ -179,8 +180,8 @@ impl Engine {
         );
     }
 
-    /// Offsets of all contacts and drives, the commanded displacements that stretch their springs, under the given commands. These may differ from
-    /// the commands of the grasp.
+    /// Writes the offsets of all contacts and drives, m, under the given commands to the list `offsets`. The commands may differ from those of the
+    /// grasp.
     pub(crate) fn offsets_under(
         &self,
         commands: impl Iterator<Item = SVector<f64, 3>>,
@@ -197,8 +198,8 @@ impl Engine {
         }
     }
 
-    /// Changes of the offsets of all contacts and drives, m, for given changes of the commands of contacts and of joints. An offset is the commanded
-    /// displacement that stretches a spring. `None` in place of a list means that these commands do not change.
+    /// Changes of the offsets of all contacts and drives, m, for given changes of the commands of contacts and of joints and tendons. `None` in place
+    /// of a list means that these commands do not change.
     pub(crate) fn offset_changes(
         &self,
         commands: Option<&[SVector<f64, 3>]>,
@@ -209,8 +210,8 @@ impl Engine {
         changes
     }
 
-    /// Writes the changes of the offsets, as in [`Self::offset_changes`], into existing memory. Contacts after the end of `commands` have a change
-    /// of zero.
+    /// Writes the changes of the offsets of all contacts and drives, m, to the list `changes`, whose storage is used again. `commands` and
+    /// `of_joints` are changes of commands. Contacts after the end of `commands` have a change of zero.
     pub(crate) fn changed_by(
         &self,
         commands: impl Iterator<Item = SVector<f64, 3>>,

@@ -30,13 +30,13 @@ pub(crate) struct Engine {
     /// point, so that a distant origin of the caller causes no cancellation.
     pub(super) origin: SVector<f64, 3>,
     /// Root mean square distance of the object's contact points from their centroid, m; 1 for a single point. The engine divides moment arms by this
-    /// length, so that rotations and translations have comparable size for any unit of the caller.
+    /// length, so that rotations and translations have comparable magnitudes for any unit of the caller.
     pub(super) length: f64,
     /// The joints, tendons and bodies behind the contacts; `None` for a single object held by contacts that no joint moves.
     pub(super) linkage: Option<Box<Linkage>>,
     /// Total pull of all vacuums on the object, which acts in addition to the caller's loads; `None` without a vacuum.
     pub(super) vacuum: Option<Box<Vacuum>>,
-    /// Factors of the stiffness matrix of the elastic trial, a state in which all contacts stick; computed on first use.
+    /// Factors of the stiffness matrix of the elastic trial, in which all contacts stick; computed on first use.
     trial: CachedValue,
     /// Contact states of a similar grasp in equilibrium under its base load, which acts before the asked load grows. In a grasp of many coordinates
     /// the search for an equilibrium begins near these states. Empty if no such states are known.
@@ -233,8 +233,9 @@ impl Engine {
         }
     }
 
-    /// The drives of one joint or tendon, with their indices in the list of all contacts and drives. A drive is the spring of a joint or tendon; a
-    /// joint or tendon that yields at a constant force has two. `actuator` counts from 0: joints first, then tendons.
+    /// The drives of one joint or tendon, with their indices in the list of all contacts and drives. A drive is the spring of a joint or tendon, with
+    /// its force limit; a joint or tendon that yields at a constant force has two. `actuator` is the index of the joint or tendon, from 0, joints
+    /// first.
     pub(crate) fn drives_of(&self, actuator: usize) -> impl Iterator<Item = (usize, &Drive)> {
         let first = self.len();
         self.linkage()
@@ -248,7 +249,7 @@ impl Engine {
         self.linkage.as_deref()
     }
 
-    /// Storage for the factors of the stiffness matrix of the elastic trial, a state in which all contacts stick.
+    /// Storage for the factors of the stiffness matrix of the elastic trial, in which all contacts stick.
     pub(crate) fn remembered_trial(&self) -> &CachedValue {
         &self.trial
     }

@@ -53,9 +53,9 @@ use crate::prelude::*;
 /// its innermost ring slides. In between, the error of the moment decreases with the square of the number of annuli. On the uniform disc it is
 /// at most 0.041, 0.0163 and 0.0056 μ N R for 1, 2 and 4 annuli.
 ///
-/// The pressure profile p holds for a pure normal displacement of any size, and changes as the tip tilts. The patch does not grow with the normal
-/// force. To match a measured torsional stiffness k_θ, use a ring of radius √(k_θ/k_t); to match a measured torsional limit τ, use a ring of radius
-/// τ/(μ N).
+/// The pressure profile p holds for a pure normal displacement of any magnitude, and changes as the tip tilts. The patch does not grow with the
+/// normal force. To match a measured torsional stiffness k_θ, use a ring of radius √(k_θ/k_t); to match a measured torsional limit τ, use a ring of
+/// radius τ/(μ N).
 ///
 /// ```
 /// use grasp_lcp::spatial::{Contact, Grasp, Pressure, SoftFingertip, Wrench};
@@ -156,8 +156,8 @@ impl SoftFingertip<3> {
         let place = |from_rim: usize, ring: &Layer, i: usize| {
             let half_spacings = 2 * i + from_rim % 2;
             let (sin, cos) = (TAU * half_spacings as f64 / (2 * points) as f64).sin_cos();
-            // Sines and cosines below 1e-15 are rounding errors of zero. A cosine of 6e-17 instead of 0 would break the ties of symmetric grasps. A
-            // ring of at most 4096 points has no other value below 3e-4.
+            // Sines and cosines below 1e-15 would be zero in exact arithmetic: other values of a ring of at most 4096 points are above 3e-4. If a
+            // cosine were 6e-17 instead of 0, points of symmetric grasps would slip one after the other instead of together.
             let clean = |x: f64| if x.abs() < 1e-15 { 0.0 } else { x };
             PatchPoint {
                 offset: SVector::from([0.0, clean(cos), clean(sin)]) * (ring.distance * radius),

@@ -57,8 +57,8 @@ impl Words {
         }
     }
 
-    /// Words for a small motion of the object: "turns 1.9° about …, moves 2.8 mm". `moved` holds the displacements, m, of some points of the object,
-    /// from which the size of the rotation is judged. If the object hardly turns, the sentence begins with the translation.
+    /// Words for a small motion of the object: "turns 1.9° about …, moves 2.8 mm". `moved` holds the displacements, m, of some points of the object;
+    /// their differences show how far rotation moves the points. If the object hardly turns, the sentence begins with the translation.
     #[must_use]
     pub fn motion<const C: usize>(self, twist: &Twist<C>, moved: &[SVector<f64, C>]) -> String {
         let (words, twist) = (self.in_space(self.space::<C>()), twist.into_inside());

@@ -97,7 +97,7 @@ impl Engine {
     }
 
     /// Converts all coordinates to the user's units, in the same order. They belong to the object, the joints, the other bodies, and to the points
-    /// between the two springs that model a drive with a constant limit.
+    /// between the two springs that model a drive which yields at a constant force. A drive is the spring of a joint or tendon.
     pub(crate) fn outside_coordinates(&self, q: &Vector) -> Vector {
         self.space.moved_twist(&self.origin, &self.per_length(q.clone()))
     }

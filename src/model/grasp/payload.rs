@@ -50,7 +50,8 @@ pub struct Payload<const C: usize> {
     inertia: Option<Matrix3<f64>>,
 }
 
-/// Motion of an arm at an instant: gravity, the acceleration of one of its points, and its rotation.
+/// What determines the load of a body that an arm carries, at one instant: gravity, the acceleration of one point of the arm, and the angular
+/// velocity and angular acceleration of the arm.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[must_use]
 pub struct ArmMotion<const C: usize> {

@@ -29,8 +29,8 @@ impl Engine {
         contact.command.amax() > 0.0 || contact.force.unwrap_or(0.0) != 0.0 || contact.suction != 0.0
     }
 
-    /// Whether the joint or tendon with this index, tendons after joints, has a nonzero command or constant torque. Slides, the joints that are added
-    /// for contacts with a constant force, do not count.
+    /// Whether the joint or tendon with this index, tendons after joints, has a nonzero command, constant torque or constant tension. Slides, the
+    /// joints that are added for contacts with a constant force, do not count.
     pub(crate) fn is_driven(&self, part: usize) -> bool {
         self.linkage().is_some_and(|linkage| {
             let mut slides = self.contacts.iter().zip(&linkage.motions).filter(|(contact, motions)| {
@@ -42,7 +42,7 @@ impl Engine {
         })
     }
 
-    /// Whether some joint or tendon [is driven](Self::is_driven).
+    /// Whether some joint or tendon has a nonzero command, constant torque or constant tension. Slides do not count.
     pub(crate) fn is_hand_driven(&self) -> bool {
         any_index(self.joint_commands().len(), &|part| self.is_driven(part))
     }

@@ -1,6 +1,6 @@
-//! One site: a contact, or a drive of a hand, i.e. the spring of a joint or tendon with its motor. The engine treats both as points with springs and
-//! a contact law. In the engine's coordinates moments and rotations refer to the centroid of the contacts. A bonded contact neither opens nor slips.
-//! The offset of a contact is its command (a prescribed displacement of the finger) minus its clearance; the twist is the motion of all coordinates.
+//! A site: a contact, or a drive, which is the spring of a joint or tendon of a hand with its force limit. The engine treats both as points with
+//! springs and a contact law. In the engine's coordinates moments and rotations refer to the centroid of the contacts, and all coordinates are
+//! lengths.
 
 use crate::numerics::{DoubleDouble, Map, Size, Space, Vector, WHOLE};
 use alloc::sync::Arc;
@@ -13,7 +13,7 @@ use super::support::Support;
 use crate::contact::{Compliance, Coulomb, Law, Polygon};
 use crate::error::Error;
 
-/// One contact, or one drive (the spring of a joint or tendon), in the engine's coordinates.
+/// One contact or one drive in the engine's coordinates.
 #[derive(Debug, Clone)]
 pub(crate) struct Site {
     /// Grasp map G_i of this site. A column holds the generalised forces in all coordinates due to a unit force of the site along one axis of its
@@ -21,7 +21,7 @@ pub(crate) struct Site {
     pub(crate) map: Map,
     /// Rounding error of the grasp map G_i for the given point and frame: the exact map minus G_i.
     pub(crate) map_rounding_error: Map,
-    /// Norm of the grasp map G_i, which scales rounding errors of displacements at the contact.
+    /// Norm of the grasp map G_i. Rounding errors of displacements at the contact are proportional to it.
     size: f64,
     /// Coordinates in which the grasp map G_i has nonzero entries.
     pub(crate) support: Support,
@@ -33,8 +33,7 @@ pub(crate) struct Site {
     /// Kinetic friction cone; `None` if it equals the static friction cone.
     pub(crate) kinetic: Option<Coulomb>,
     pub(crate) hold: Hold,
-    /// Polygon that replaces the friction cone even where the settings ask for the round cone. Only drives (springs of joints and tendons) that slip
-    /// at a force limit have one.
+    /// Polygon that replaces the friction cone even where the settings ask for the round cone. Only drives that slip at a force limit have one.
     pub(crate) polygon: Option<Arc<Polygon>>,
 }
 
@@ -79,7 +78,7 @@ impl Site {
         Self { map, map_rounding_error, size, support, ..self.clone() }
     }
 
-    /// The site of a drive, the spring of a joint or tendon, whose force acts along only one axis of its frame.
+    /// The site of a drive, whose force acts along only one axis of its frame.
     pub(super) fn of_axis(
         space: Space,
         size: Size,
@@ -158,8 +157,8 @@ impl Site {
         self.map.size()
     }
 
-    /// The contact law in an equilibrium: the whole friction cone, or no limit for a bonded contact. The rates of force and stretch as the load grows
-    /// may obey another [`Law`].
+    /// The contact law in an equilibrium: the whole friction cone, or no limit for a bonded contact, which neither opens nor slips. The rates of
+    /// force and stretch as the load grows may obey another [`Law`].
     pub(crate) fn whole_law(&self) -> Law {
         match self.hold {
             Hold::Unilateral => Law::Cone { gap: true },
@@ -168,7 +167,8 @@ impl Site {
         }
     }
 
-    /// Stretch of the springs, `a - Gᵀq`, with the offset a (command less clearance), the grasp map G and the displacements q of all coordinates.
+    /// Stretch of the springs, `a - Gᵀq`, with the offset a (commanded displacement of the finger, less clearance), the grasp map G and the
+    /// displacements q of all coordinates.
     #[inline(always)]
     pub(crate) fn stretch(&self, offset: &SVector<f64, 3>, twist: &Vector) -> SVector<f64, 3> {
         offset - self.map.tr_mul(twist)
@@ -181,14 +181,14 @@ impl Site {
         self.span_moved(offset, twist.norm())
     }
 
-    /// Like [`Self::span`], an upper bound of the terms of the stretch, but computed from the offset and the norm `twist` of the motion alone.
+    /// Upper bound of the terms of the stretch `a - Gᵀq`, m. `offset` is a, and `twist` is the norm of q.
     #[inline(always)]
     pub(crate) fn span_moved(&self, offset: &SVector<f64, 3>, twist: f64) -> f64 {
         offset.norm() + self.size * twist
     }
 }
 
-/// Number of coordinates of a grasp with these contacts and drives (springs of joints and tendons).
+/// Number of coordinates of a grasp with these contacts and drives.
 #[inline]
 pub(crate) fn size_of(sites: &[Site]) -> Size {
     sites.first().map_or(Size::default(), Site::coordinates)

@@ -20,8 +20,7 @@ use crate::prelude::*;
 /// | a moment about an axis in the plane of the lip | V R/2 | one point opens |
 /// | a moment about the normal | μ V R | the whole lip slides |
 ///
-/// A real lip lets air in as soon as its first point opens, which is the onset (the first slip or opening). In this model the vacuum is lost when the
-/// whole lip is open:
+/// A real lip lets air in as soon as its first point opens. In this model the vacuum is lost when the whole lip is open:
 ///
 /// | question | answer |
 /// |---|---|
@@ -29,7 +28,8 @@ use crate::prelude::*;
 /// | [`follow`](crate::ask::Grasp::follow), maps of held loads | the path ends ([`LossKind::LetsGo`](crate::load_path::LossKind::LetsGo)) |
 /// | [`onset`](crate::ask::Grasp::onset), also of a turn | [`beyond`](crate::ask::Grasp::beyond) returns [`Beyond::WithoutVacuum`](crate::load_path::Beyond::WithoutVacuum) |
 /// | [`solve`](crate::ask::Grasp::solve) and every equilibrium | [`open_cups`](crate::equilibrium::Equilibrium::open_cups) lists the cup: the equilibrium fails |
-/// | [`least_squeeze`](crate::ask::Grasp::least_squeeze), the [weakest direction](crate::ask::Grasp::weakest_direction), the [reserve](crate::ask::Grasp::reserve) | does not arise: every lip touches and sticks in these answers |
+/// | [`least_squeeze`](crate::ask::Grasp::least_squeeze), the [weakest direction](crate::ask::Grasp::weakest_direction), the
+/// [reserve](crate::ask::Grasp::reserve) | cannot occur: every lip touches and sticks in these answers |
 /// | [`statics`](crate::ask::Statics) | limits include the vacuum forces; closure by cups alone is an error |
 /// | [`follow_in_steps`](crate::ask::Grasp::follow_in_steps) | not detected: the vacuum stays on; check the contact states |
 ///
@@ -56,7 +56,8 @@ impl SuctionCup {
     /// the area within the lip, or a measured force.
     ///
     /// # Errors
-    /// [`Error::Fingertip`] as for [`SoftFingertip::ring`], and unless the force is from 0 to 1e50.
+    /// [`Error::Fingertip`] unless the radius is from 1e-50 to 1e50, the points are from 3 to [`SoftFingertip::MOST_POINTS`], and the force is from 0
+    /// to 1e50.
     pub fn of_force(radius: f64, points: usize, force: f64) -> Result<Self, Error> {
         check((0.0..=LARGEST).contains(&force), "force of the vacuum", force, "from 0 to 1e50")?;
         Ok(Self { lip: SoftFingertip::ring(radius, points)?, force })
@@ -65,7 +66,8 @@ impl SuctionCup {
     /// A cup with this pressure below ambient, Pa. Its vacuum force is `π R²` times the pressure, N.
     ///
     /// # Errors
-    /// As for [`Self::of_force`].
+    /// [`Error::Fingertip`] unless the radius is from 1e-50 to 1e50, the points are from 3 to [`SoftFingertip::MOST_POINTS`], and the pressure and
+    /// the force are from 0 to 1e50.
     pub fn of_pressure(radius: f64, points: usize, pressure: f64) -> Result<Self, Error> {
         check((0.0..=LARGEST).contains(&pressure), "pressure of the vacuum", pressure, "from 0 to 1e50")?;
         Self::of_force(radius, points, PI * radius * radius * pressure)
@@ -83,10 +85,10 @@ impl SuctionCup {
         &self.lip
     }
 
-    /// The points of the lip, which share the springs of `contact` and the vacuum force. See [`SoftFingertip::contacts`].
+    /// The points of the lip, which share the springs of `contact` and the vacuum force.
     ///
     /// # Errors
-    /// As for [`SoftFingertip::contacts`].
+    /// [`Error::Contact`] with index 0 if `contact` has a number that is out of range.
     pub fn contacts(&self, contact: &Contact<3>) -> Result<Vec<Contact<3>>, Error> {
         self.lip.contacts(&contact.clone().suction(self.force))
     }

@@ -1,4 +1,5 @@
-//! The coordinates in which the grasp map of a site has nonzero entries. A site is a contact, or a drive of a hand (the spring of a joint or tendon).
+//! The coordinates in which the grasp map of a site has nonzero entries. A site is a contact, or a drive: the spring of a joint or tendon of a hand,
+//! with its force limit.
 
 use crate::numerics::{Map, Space, any_index};
 use core::ops::Range;
@@ -6,8 +7,8 @@ use core::ops::Range;
 use crate::prelude::*;
 
 /// Coordinates in which a grasp map has nonzero entries, as two ranges. For a contact with the object, one range holds the object's coordinates and
-/// the other the joints of one finger, or another body. For a contact between two other bodies, each range holds one body. The ranges of a drive, the
-/// spring of a joint or tendon, hold the joints on which it acts.
+/// the other the joints of one finger, or another body. For a contact between two other bodies, each range holds one body. The ranges of a drive hold
+/// the joints on which it acts.
 #[derive(Debug, Clone)]
 pub(crate) struct Support {
     ranges: [Range<usize>; 2],
@@ -15,7 +16,7 @@ pub(crate) struct Support {
 
 impl Support {
     /// The ranges of coordinates that contain all nonzero entries of the grasp map `map` and of its rounding error `rest`. Rows outside these ranges
-    /// are removed from the memory of both.
+    /// are removed from both.
     pub(super) fn of(space: Space, map: &mut Map, rest: &mut Map) -> Self {
         let count = map.size().count();
         let object = space.of_the_object().min(count);

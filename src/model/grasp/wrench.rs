@@ -31,8 +31,8 @@ use crate::error::{Error, is_moderate};
 /// assert_eq!(weight.transformed(&pose), Wrench::force_at([0.0, -2.0], [13.0, 1.0]));
 /// ```
 ///
-/// A load made by [`force_at`](Self::force_at), a force at the origin, and sums and multiples of such loads, remember their points of action. Where nothing resists a
-/// rotation, these points decide whether the load turns the object over. Two wrenches are equal if their components are equal.
+/// A load made by [`force_at`](Self::force_at), a force at the origin, and sums and multiples of such loads, keep their points of action. Where
+/// nothing resists a rotation, these points decide whether the load turns the object over. Two wrenches are equal if their components are equal.
 #[derive(Clone, Copy)]
 #[must_use]
 pub struct Wrench<const C: usize>(pub(super) SVector<f64, 6>, pub(super) PointsOfAction);
@@ -184,8 +184,8 @@ impl<const C: usize> Wrench<C> {
     pub const ZERO: Self = Self(NOTHING, PointsOfAction::NO_FORCE);
 
     fn of_all(all: SVector<f64, 6>) -> Self {
-        // A force without a moment about the origin acts at the origin, where the sum `Σ F rᵀ` is zero as without a force. Of any other force only the
-        // line of action is known.
+        // A force without a moment about the origin acts at the origin, where the sum `Σ F rᵀ` is zero as without a force. Of any other force only
+        // the line of action is known.
         let is_zero = |part: &[f64]| part.iter().all(|component| *component == 0.0);
         let (force, moment) = all.as_slice().split_at(C);
         let is_known = is_zero(force) || is_zero(moment);
@@ -222,8 +222,8 @@ impl<const C: usize> Wrench<C> {
 }
 
 impl Wrench<2> {
-    /// A force (x, y) through the origin, N, and a moment about it, from x to y, N m. If the moment is not zero, only the line of action of the force is
-    /// known, and not the point at which it acts, on which [buckling](crate::equilibrium::TooFar::Buckles) depends; [`Self::force_at`] keeps it.
+    /// A force (x, y) through the origin, N, and a moment about it, from x to y, N m. If the moment is not zero, the point at which the force acts is
+    /// not known, only its line of action. [Buckling](crate::equilibrium::TooFar::Buckles) depends on this point; [`Self::force_at`] keeps it.
     pub fn new(force: impl Into<[f64; 2]>, moment: f64) -> Self {
         let [x, y] = force.into();
         Self::from_vector([x, y, moment])
@@ -260,8 +260,8 @@ impl Wrench<2> {
 }
 
 impl Wrench<3> {
-    /// A force (x, y, z) through the origin, N, and a moment (x, y, z) about it, N m. If the moment is not zero, only the line of action of the force is
-    /// known, and not the point at which it acts, on which [buckling](crate::equilibrium::TooFar::Buckles) depends; [`Self::force_at`] keeps it.
+    /// A force (x, y, z) through the origin, N, and a moment (x, y, z) about it, N m. If the moment is not zero, the point at which the force acts is
+    /// not known, only its line of action. [Buckling](crate::equilibrium::TooFar::Buckles) depends on this point; [`Self::force_at`] keeps it.
     pub fn new(force: impl Into<[f64; 3]>, moment: impl Into<[f64; 3]>) -> Self {
         let (f, m) = (force.into(), moment.into());
         Self::from_vector([f[0], f[1], f[2], m[0], m[1], m[2]])

@@ -64,7 +64,7 @@ impl Engine {
     ) -> Vector {
         let angular = self.space.axes()..self.space.of_the_object();
         if contact >= self.len() {
-            // The force of a drive, the spring of a joint or tendon, acts on no body.
+            // The force of a drive, the spring of a joint or tendon of a hand, acts on no body.
             return Vector::zeros();
         }
         let in_unit = self.space.wrench_of(&(point / self.length()), force);
@@ -95,8 +95,8 @@ impl Engine {
         Some(self.with_bodies(bodies.growing_together(loads)))
     }
 
-    /// A copy of this grasp in which the loads `others` on named bodies grow in proportion to the load of a question. When the load of the question
-    /// is `one`, they have the sizes given in `others`. See [`Grasp::growing_together`](crate::ask::Grasp::growing_together).
+    /// A copy of this grasp in which the loads `others` on named bodies grow in proportion to the load of a question. If the load of the question is
+    /// `one`, they are equal to `others`; if it is a multiple of `one`, they are multiplied by the same factor.
     pub(crate) fn growing_together(
         &self,
         one: &Wrench<3>,

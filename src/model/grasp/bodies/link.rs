@@ -187,7 +187,7 @@ impl<const C: usize> Link<C> {
         pub fn stiffness(mut self, stiffness: f64) { self.stiffness = Some(stiffness); }
 
         /// Sets the pull of a cable or a spring before anything moves, N; a spring with a negative value pushes. Once all springs have deflected, the
-        /// pull is smaller; see [`Self::tension`].
+        /// pull is smaller; [`Self::tension`] sets the smaller value instead.
         pub fn pretension(mut self, force: f64) { (self.pretension, self.tension) = (force, None); }
 
         /// Sets the pull of an installed cable or spring, N, in place of a pretension. This pull is the force under the constant loads on bodies
@@ -212,7 +212,7 @@ impl<const C: usize> Link<C> {
         pub fn slack(mut self, length: f64) { self.slack = length; }
     }
 
-    /// The name that the user gave, or else the kind of the link with its number.
+    /// The name that the user gave or, without one, the kind of the link with its number.
     pub(crate) fn called(&self, number: usize) -> String {
         self.name.as_deref().map_or_else(|| format!("{} {number}", self.kind().name()), str::to_owned)
     }

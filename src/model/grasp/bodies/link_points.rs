@@ -1,11 +1,10 @@
-//! The contacts that model a link.
+//! The contacts that model a link. A bonded contact neither opens nor slips; a contact that is kept closed may slip, but not open.
 //!
 //! A hinge of the plane or a ball joint is modelled by one bonded contact, a hinge in space by two. A slide is a linear guide, which leaves free only
-//! the translation along one direction. It is modelled by frictionless contacts that are kept closed, its bearings, with normals across this
-//! direction. A rigid joint is modelled by bonded contacts around its centre. A spring is a contact along
-//! its line that is kept closed, and a cable is a contact along its line that only pulls. The normal of a spring or a cable points from the start of
-//! the line to its end: a positive normal force pulls the first body towards the end. A bonded contact neither opens nor slips; a contact that is
-//! kept closed may slip, but not open.
+//! the translation along one direction. Frictionless contacts that are kept closed model its bearings, with normals across this direction. A rigid
+//! joint is modelled by bonded contacts around its centre. A spring is a contact along its line that is kept closed, and a cable is a contact along
+//! its line that only pulls. The normal of a spring or a cable points from the start of the line to its end: a positive normal force pulls the first
+//! body towards the end.
 
 use nalgebra::SVector;
 

@@ -22,7 +22,7 @@ impl Hand<3> {
     ///
     /// # Errors
     /// [`Error::EmptyGrasp`] without contacts; [`Error::Hand`] with the joint, tendon or finger, the field and the allowed values; [`Error::Contact`]
-    /// as for [`Grasp::new`](crate::ask::Grasp::new).
+    /// for a contact with a number out of range or without a frame.
     pub(crate) fn engine(self, mut bodies: Option<PlacedBodies>) -> Result<Engine, Error> {
         let others = bodies.as_ref().map_or(0, |bodies| bodies.names.len() - 1);
         let space = self.space();
@@ -228,9 +228,9 @@ impl Assembly {
         (Spring { along: along / unit, stiffness: stiffness * unit * unit, unit: 1.0 / unit }, unit)
     }
 
-    /// Adds a drive, the spring of a joint or tendon. A drive that yields at a constant force ([`Limit::Saturates`]) is added as two springs in
-    /// series, whose laws are those of frictionless contacts. `command` is the index of the command that stretches the spring, with the stretch in m
-    /// per unit of this command. `pushes` is false for a drive that only pulls.
+    /// Adds a drive, the spring of a joint or tendon with its force limit. A drive that yields at a constant force ([`Limit::Saturates`]) is added as
+    /// two springs in series, whose laws are those of frictionless contacts. `command` is the index of the command that stretches the spring, with
+    /// the stretch in m per unit of this command. `pushes` is false for a drive that only pulls.
     fn drive(
         &mut self,
         owner: DriveOwner,

@@ -8,7 +8,7 @@
 //! S = diag C,    D = ½ λ_min(S^-½ C S^-½) S,    C = D + V Vᵀ
 //! ```
 //!
-//! Only half of the least eigenvalue becomes springs of contacts. With the whole eigenvalue the matrix V Vᵀ would lose rank, and rounding would
+//! Only half of the least eigenvalue becomes springs of contacts. If the whole eigenvalue did, the matrix V Vᵀ would lose rank, and rounding would
 //! decide which column of V vanishes.
 
 use crate::numerics::matrix_of;

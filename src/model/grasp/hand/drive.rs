@@ -1,5 +1,6 @@
-//! One drive of a hand in the engine: the spring of a joint or tendon between its command and its displacement. A motor or clutch may limit its
-//! torque or tension. A drive acts along a single axis. The springs of stiffness and compliance matrices are also drives, but without a command.
+//! One drive of a hand in the engine: the spring of a joint or tendon between its command and its displacement, with its force limit. A motor or
+//! clutch limits the torque or tension. A drive acts along a single axis. The springs of stiffness matrices of joints and of compliance matrices are
+//! also drives, which belong to no single joint or tendon and have no limit.
 
 use nalgebra::SVector;
 
@@ -9,18 +10,18 @@ use crate::grasp::site::Site;
 use crate::numerics::{Size, Space, Vector, summed};
 use crate::prelude::*;
 
-/// The part of the hand to which a drive, a spring with its command, belongs.
+/// The joint or tendon to which a drive belongs, if any.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum DriveOwner {
     /// The joint with this index, from 0, finger by finger.
     Joint(usize),
     /// The tendon with this index, from 0.
     Tendon(usize),
-    /// Neither: the drive is a spring of a stiffness matrix of joints, or of a compliance matrix.
+    /// No joint or tendon: the drive is a spring of a stiffness matrix of joints, or of a compliance matrix.
     Nobody,
 }
 
-/// How the force of a drive, the spring of a joint or tendon, is bounded, and the contact law that models this bound.
+/// How the force of a drive is limited, and the contact law that models this limit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum DriveLaw {
     /// The drive pushes and pulls without limit.
@@ -34,13 +35,12 @@ pub(crate) enum DriveLaw {
     /// springs in series. This half is a frictionless contact whose normal force is the upper bound minus the drive's force; it opens at the upper
     /// bound.
     UpperHalf,
-    /// The lower half of a drive that yields, see [`Self::UpperHalf`]: a frictionless contact whose normal force is the drive's force minus the lower
-    /// bound. It opens at the lower bound.
+    /// The lower half of a drive that yields at two bounds of its force: the second of the two springs in series. It is a frictionless contact whose
+    /// normal force is the drive's force minus the lower bound; it opens at the lower bound.
     LowerHalf,
 }
 
-/// A drive, the spring of a joint or tendon, in the engine's coordinates. The force of a drive is in N and the displacement in m, for any units of
-/// the joints.
+/// A drive in the engine's coordinates. The force of a drive is in N and the displacement in m, for any units of the joints.
 #[derive(Debug, Clone)]
 pub(crate) struct Drive {
     pub(crate) owner: DriveOwner,

@@ -1,6 +1,6 @@
-//! Joints, tendons and drives of a hand as parts of a grasp, and the bodies of a grasp with several bodies. A command is a prescribed displacement of
-//! a joint or tendon, which stretches the spring of its drive. In the engine's coordinates moments and rotations refer to the centroid of the
-//! contacts.
+//! Joints, tendons and drives of a hand as parts of a grasp, and the bodies of a grasp with several bodies. A drive is the spring of a joint or
+//! tendon, with its force limit. A command is a prescribed displacement of a joint or tendon, which stretches this spring. In the engine's
+//! coordinates moments and rotations refer to the centroid of the contacts.
 
 use alloc::sync::Arc;
 use core::fmt;
@@ -15,8 +15,7 @@ use crate::numerics::{IntoList, Space, Vector, chosen, picked};
 use crate::prelude::*;
 use crate::words::printable;
 
-/// Joints, tendons and drives (springs of joints and tendons) behind the contacts of a grasp, and the bodies of the grasp, in the engine's
-/// coordinates.
+/// Joints, tendons and drives behind the contacts of a grasp, and the bodies of the grasp, in the engine's coordinates.
 #[derive(Debug, Clone)]
 pub(crate) struct Linkage {
     pub(crate) joints: Vec<NamedPart>,
@@ -27,7 +26,7 @@ pub(crate) struct Linkage {
     /// For each contact the coordinates of joints and other bodies that move it, as pairs. A pair has the index of a coordinate, counted from the
     /// first one after the object's coordinates. It also has the displacement of the contact along x, y and z per unit of this coordinate.
     pub(crate) motions: Vec<Vec<(usize, SVector<f64, 3>)>>,
-    /// Drives (springs of joints and tendons). The engine's list of sites holds all contacts, then these drives in the same order.
+    /// The drives. The engine's list of sites holds all contacts, then these drives in the same order.
     pub(crate) drives: Vec<Drive>,
     /// Constant generalised forces on the coordinates: from joint torques, from tensions of tendons, and from contacts with a constant force.
     pub(crate) held_forces: Vector,
@@ -101,7 +100,7 @@ pub struct PartLabel {
 }
 
 impl PartLabel {
-    /// The user's name, safe to print, or the kind and the number.
+    /// The user's name, safe to print, or without one the kind and the number.
     #[must_use]
     pub fn text(&self) -> String {
         let name = self.name.as_deref().map(|name| printable(name).into_owned());
@@ -191,8 +190,8 @@ impl Linkage {
         PartLabel { part, name: named.name.clone() }
     }
 
-    /// Drives (springs of joints and tendons) of an actuator, with their indices in the list of drives. `actuator` is an index from 0: joints first,
-    /// then tendons.
+    /// The drives of a joint or tendon, with their indices in the list of drives. `actuator` is the index of the joint or tendon, from 0: joints
+    /// first, then tendons.
     pub(crate) fn of_actuator(&self, actuator: usize) -> impl Iterator<Item = (usize, &Drive)> {
         let joints = self.joints.len();
         let owner = if actuator < joints {

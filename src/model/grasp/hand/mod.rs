@@ -1,7 +1,7 @@
 //! Hands: fingers with joints, which couple the contacts in addition to the object.
 //!
-//! A finger's joints move its contacts. In the vector of unknowns, the joint coordinates φ come after the object's twist q. Springs, gears, tendons
-//! and motors give the joints stiffness, and are treated like further contacts, called drives. The symbols of these equations are explained below:
+//! A finger's joints move its contacts. In the vector of unknowns, the joint coordinates φ come after the object's twist q. The springs of joints and
+//! tendons, with their force limits, are called drives and are treated like further contacts. The symbols of these equations are explained below:
 //!
 //! ```text
 //! v_i = a_i - G_iᵀq + J_i φ,        Σ G_i F_i + W = 0
@@ -10,7 +10,7 @@
 //!
 //! | symbol | meaning | unit |
 //! |---|---|---|
-//! | v_i, a_i | stretch of the springs of contact i, and their offset (commanded displacement) | m |
+//! | v_i, a_i | stretch of the springs of contact i, and their offset (commanded displacement minus clearance and earlier slip) | m |
 //! | G_i, F_i | grasp map and force of contact i | N |
 //! | q, W | motion of the object, and the load on it | |
 //! | φ, θ | actual and commanded displacement of the joints | rad, m |

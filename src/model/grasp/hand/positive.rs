@@ -22,7 +22,7 @@ pub(super) enum NotPositive {
 
 /// Columns l with `M = Σ l lᵀ` for a positive semidefinite matrix M, as many as its rank. They are computed by Cholesky factorisation with diagonal
 /// pivoting, which leaves a remainder of M after each column. The pivot is the diagonal entry with the largest remainder relative to its original
-/// value. Entries of very different size thus keep their relative accuracy.
+/// value. Entries of very different magnitudes thus keep their relative accuracy.
 pub(super) fn squares(matrix: &DMatrix<f64>, size: usize) -> Result<Vec<DVector<f64>>, NotPositive> {
     checked(matrix, size)?;
     let whole = matrix.diagonal();
@@ -69,7 +69,7 @@ pub(super) fn squares(matrix: &DMatrix<f64>, size: usize) -> Result<Vec<DVector<
     Ok(columns)
 }
 
-/// Returns an error for a matrix of the wrong size, with entries that are not finite or too large, or that is not symmetric.
+/// Returns an error for a matrix with the wrong number of rows or columns, with entries that are not finite or too large, or that is not symmetric.
 pub(super) fn checked(matrix: &DMatrix<f64>, size: usize) -> Result<(), NotPositive> {
     if matrix.shape() != (size, size) {
         return Err(NotPositive::Shape { rows: matrix.nrows(), columns: matrix.ncols(), size });
@@ -104,7 +104,7 @@ mod tests {
 
     #[test]
     fn the_squares_add_up() -> Result<(), NotPositive> {
-        // Three directions of very different size in five dimensions.
+        // Three directions of very different lengths in five dimensions.
         let columns: Vec<DVector<f64>> = [1e6, 1.0, 1e-5]
             .iter()
             .enumerate()
