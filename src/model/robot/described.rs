@@ -11,7 +11,7 @@ use super::shapes::Shape;
 use crate::error::Error;
 use crate::grasp::{JointKind, Limit};
 
-/// A robot from a URDF, in a posture; see [the module](crate::robot).
+/// A robot from a URDF, in a posture: links, joints, collision shapes, and the pose of the root links.
 #[derive(Debug, Clone, PartialEq)]
 #[must_use]
 pub struct Robot {
@@ -89,7 +89,8 @@ impl Robot {
     /// A robot from a URDF file, with all joints at zero.
     ///
     /// # Errors
-    /// [`Error::Robot`] if the file cannot be read, and as for [`Self::from_urdf`].
+    /// [`Error::Robot`] if the file cannot be read or is not a URDF, if its joints form a loop, or for a joint that is not revolute, continuous,
+    /// prismatic or fixed.
     pub fn read(path: impl AsRef<Path>) -> Result<Self, Error> {
         let path = path.as_ref();
         let named = |inner: String| fault(format!("{}: {inner}", path.display()));

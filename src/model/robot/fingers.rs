@@ -61,7 +61,7 @@ impl Robot {
         Ok((link, self.placed_on(self.link(link)?, 0, contact)?))
     }
 
-    /// Converts a contact from the frame of its link to the frame of the object, as [`Self::on_link`] does. Errors name the contact by `index`.
+    /// Converts a contact from the frame of its link to the frame of the object. Errors name the contact by `index`.
     pub(crate) fn placed_on(
         &self,
         link: usize,

@@ -2,7 +2,7 @@
 //!
 //! A [`Robot`] consists of the links and joints of a URDF, in a posture. [`Robot::hand`] makes a [`Hand`](crate::grasp::Hand) of contacts on its
 //! links. A joint that mimics another has no coordinate of its own and follows the other exactly. Contacts are given, or are computed from the
-//! collision shapes of a link that touch a part, see [`Robot::surface`].
+//! collision shapes of a link that touch a part ([`Robot::surface`] makes meshes of these shapes).
 //!
 //! ```
 //! use grasp_lcp::robot::Robot;

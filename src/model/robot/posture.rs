@@ -15,7 +15,7 @@ impl Robot {
     /// This robot with one joint at another position, rad or m. Joints that mimic it follow.
     ///
     /// # Errors
-    /// [`Error::Robot`] for a joint that is unknown, fixed or mimics another, and for a position that is not finite.
+    /// [`Error::Robot`] for a joint that is unknown, fixed or mimics another, and for a position that is not finite or too large.
     pub fn posed(mut self, joint: &str, position: f64) -> Result<Self, Error> {
         self.independent_joint(joint, position, "position")?.position = position;
         Ok(self)
@@ -24,7 +24,7 @@ impl Robot {
     /// This robot with one joint commanded to a position, rad or m. By default a joint is commanded to its actual position.
     ///
     /// # Errors
-    /// As for [`Self::posed`].
+    /// [`Error::Robot`] for a joint that is unknown, fixed or mimics another, and for a number that is not finite or too large.
     pub fn commanded(mut self, joint: &str, position: f64) -> Result<Self, Error> {
         self.independent_joint(joint, position, "commanded position")?.commanded = Some(position);
         Ok(self)
@@ -48,7 +48,7 @@ impl Robot {
     /// This robot with another stiffness of one joint, N m/rad or N/m.
     ///
     /// # Errors
-    /// As for [`Self::posed`].
+    /// [`Error::Robot`] for a joint that is unknown, fixed or mimics another, and for a number that is not finite or too large.
     pub fn joint_stiffness(mut self, joint: &str, stiffness: f64) -> Result<Self, Error> {
         self.independent_joint(joint, stiffness, "stiffness")?.stiffness = stiffness;
         Ok(self)
@@ -64,7 +64,7 @@ impl Robot {
     }
 
     /// The independent joint with this name, for a setter. Returns an error for a joint that is unknown, fixed or mimics another, and for a `value`
-    /// that is not finite; `what` names the value in the message.
+    /// that is not finite or too large; `what` names the value in the message.
     fn independent_joint(&mut self, name: &str, value: f64, what: &str) -> Result<&mut RobotJoint, Error> {
         let index = self.index(name)?;
         let joint = &self.joints[index];

@@ -10,9 +10,10 @@ use super::described::{Robot, fault, pose_in};
 use crate::error::Error;
 use crate::touch::{Part, Unit};
 
-/// Number of sides of a cylinder and of a sphere; their faces deviate from the circle by 4e-5 of the radius.
+/// Number of sides of a cylinder, and of meridians of a sphere. The faces of a cylinder deviate from it by 1 - cos(π/360) = 4e-5 of the radius.
 const SIDES: usize = 360;
-/// Number of rings of faces of a sphere from pole to pole.
+/// Number of rings of faces of a sphere from pole to pole. Along a meridian the faces deviate from the sphere by 1 - cos(π/180) = 1.5e-4 of the
+/// radius.
 const BANDS: usize = 90;
 
 #[derive(Debug, Clone, PartialEq)]
@@ -105,8 +106,8 @@ impl Robot {
         })
     }
 
-    /// Path of a mesh file that a link names: the first file found in the folder of the description file. A `package://` name is also searched in the
-    /// folders above it.
+    /// Path of a mesh file that a link names: the first file found in the folder of the description file and, for a `package://` name, in the folders
+    /// above it.
     fn found(&self, link: &str, filename: &str) -> Result<std::path::PathBuf, Error> {
         let name = filename.trim_start_matches("file://");
         let (name, package) = match name.strip_prefix("package://") {

@@ -13,9 +13,9 @@ use crate::numerics::{mapped, summed};
 
 /// A pad with a position and a closing direction.
 ///
-/// All data except the shape of the pad are given by a contact, see [`Self::new`]. The contact's point is the centre of the pad before the pad
-/// closes, in front of the part, m; its normal is the closing direction. The contact also gives name, friction, stiffness and pressing force or
-/// command. The stiffness of the pad's [layer](Pad::of_layer), if it has one, replaces the finger stiffness.
+/// A contact gives all data except the shape of the pad. The contact's point is the centre of the pad before the pad closes, in front of the part, m;
+/// its normal is the closing direction. The contact also gives name, friction, stiffness and commanded normal force or command. The stiffness of the
+/// pad's [layer](Pad::of_layer), if it has one, replaces the finger stiffness.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Touch {
     pad: Pad,
@@ -37,8 +37,8 @@ impl Touch {
         Self { pad, contact }
     }
 
-    /// The contacts at which the pad touches the part, as points of one fingertip. `pressed_with` and commands apply to the pad as a whole. A
-    /// clearance given for the contact, m, is added to the gap of every point along the closing direction.
+    /// The contacts at which the pad touches the part, as points of one fingertip. The commanded normal force (`pressed_with`) and commands apply to
+    /// the pad as a whole. A clearance given for the contact, m, is added to the gap of every point along the closing direction.
     ///
     /// # Errors
     /// [`Error::Misses`] if no point of the pad meets the part, or if some points start inside the part. [`Error::Contact`] with index 0 for data out
@@ -47,7 +47,7 @@ impl Touch {
         self.on_for_contact(0, part)
     }
 
-    /// The contacts at which the pad touches the part, as for [`Self::on`]. Errors name the contact by `index`.
+    /// The contacts at which the pad touches the part, as points of one fingertip. Errors name the contact by `index`.
     pub(crate) fn on_for_contact(&self, index: usize, part: &Part) -> Result<Touched, Error> {
         let mut contact = self.contact.clone();
         if let Some([normal, tangential]) = self.pad.stiffness() {

@@ -17,7 +17,7 @@ impl Part {
     /// A part from a file that ends in `.stl` or `.obj`, with lengths in this unit.
     ///
     /// # Errors
-    /// [`Error::Mesh`] if the file cannot be read, and as for [`Self::from_stl`] and [`Self::from_obj`].
+    /// [`Error::Mesh`] if the file cannot be read or is neither STL nor OBJ, if it has no faces, or if a vertex is missing or not finite.
     pub fn read(path: impl AsRef<Path>, unit: Unit) -> Result<Self, Error> {
         let path = path.as_ref();
         let fault = |fault: String| Error::Mesh { fault: format!("{}: {fault}", path.display()) };
@@ -37,7 +37,7 @@ impl Part {
     /// A part from the bytes of an STL, binary or text, with lengths in this unit.
     ///
     /// # Errors
-    /// [`Error::Mesh`] if the bytes are no STL, and as for [`Self::new`].
+    /// [`Error::Mesh`] if the bytes are no STL, if there are no faces, or if a vertex is not finite.
     pub fn from_stl(bytes: &[u8], unit: Unit) -> Result<Self, Error> {
         let number = |at: usize| bytes.get(at..at + 4).and_then(|four| <[u8; 4]>::try_from(four).ok());
         let count = number(HEAD - 4).map_or(0, |four| u32::from_le_bytes(four) as usize);
@@ -74,7 +74,7 @@ impl Part {
     /// of the file form one part.
     ///
     /// # Errors
-    /// [`Error::Mesh`] if a corner or a face cannot be read, and as for [`Self::new`].
+    /// [`Error::Mesh`] if a vertex or a face cannot be read, if there are no faces, or if a vertex does not exist or is not finite.
     pub fn from_obj(text: &str, unit: Unit) -> Result<Self, Error> {
         let (mut corners, mut faces) = (Vec::new(), Vec::new());
         for (index, line) in text.lines().enumerate() {

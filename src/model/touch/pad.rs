@@ -9,9 +9,9 @@ use super::part::Part;
 use crate::error::{Error, LARGEST};
 use crate::grasp::{Contact, Pressure, SoftFingertip};
 
-/// A point of a surface becomes a point of the pad only if its outward unit normal has at least this component along the closing direction. With a
-/// smaller component the surface is nearly parallel to the closing direction and hardly presses. If this limit were larger, inclined faces that press
-/// would be left out.
+/// A point of a surface becomes a point of the pad only if its outward unit normal has at least this component along the closing direction. Where the
+/// component is smaller, the surface is nearly parallel to the closing direction and hardly presses. If this limit were larger, inclined faces that
+/// press would be left out.
 const TURNED_AWAY: f64 = 0.1;
 
 /// The surface of a jaw or of a fingertip, and its elastic layer.
@@ -75,30 +75,32 @@ pub(super) struct PadPoint {
 
 impl Pad {
     /// A flat rectangle with sides along the first and the second tangent, m. `strips` is the number of strips in half of each side; two points
-    /// represent each strip, as in [`SoftFingertip::rectangle`]. `[1, 1]` suffices for a flat face. A curved part needs about six points across the
-    /// contact width.
+    /// represent each strip. `[1, 1]` suffices for a flat face. A curved part needs about six points across the contact width.
     ///
     /// # Errors
-    /// [`Error::Fingertip`] as for [`SoftFingertip::rectangle`].
+    /// [`Error::Fingertip`] unless the sides are from 1e-50 to 1e50, there is at least one strip along each, and there are at most
+    /// [`SoftFingertip::MOST_POINTS`] points.
     pub fn rectangle(sides: [f64; 2], strips: [usize; 2]) -> Result<Self, Error> {
         Self::on_rectangle(sides, strips, Profile::Flat)
     }
 
-    /// A flat disc of this radius, m, divided into annuli of equal width. Two rings of `points` points represent each annulus, as in
-    /// [`SoftFingertip::disc`] under uniform pressure.
+    /// A flat disc of this radius, m, divided into annuli of equal width. Two rings of `points` points represent each annulus. The points share the
+    /// area as in [`SoftFingertip::disc`] under uniform pressure.
     ///
     /// # Errors
-    /// [`Error::Fingertip`] as for [`SoftFingertip::disc`].
+    /// [`Error::Fingertip`] unless the radius is from 1e-50 to 1e50, there is at least one annulus, each ring has at least 3 points, and there are at
+    /// most [`SoftFingertip::MOST_POINTS`] points.
     pub fn disc(radius: f64, annuli: usize, points: usize) -> Result<Self, Error> {
         let patch = SoftFingertip::disc(radius, annuli, points, Pressure::Uniform)?;
         Ok(Self::of_profile(&patch, Outline::Disc(radius), Profile::Flat))
     }
 
     /// A round finger: part of a cylinder of this radius, m, with its axis along the second tangent. `sides` are the sides of its rectangular
-    /// outline, m, as seen along the closing direction; `strips` as for [`Self::rectangle`].
+    /// outline, m, as seen along the closing direction; `strips` is the number of strips in half of each side.
     ///
     /// # Errors
-    /// [`Error::Fingertip`] as for a rectangle, and if the first side is not less than the diameter.
+    /// [`Error::Fingertip`] unless the sides are from 1e-50 to 1e50, there is at least one strip along each, and there are at most
+    /// [`SoftFingertip::MOST_POINTS`] points. The same error if the first side is not less than the diameter.
     pub fn cylinder(radius: f64, sides: [f64; 2], strips: [usize; 2]) -> Result<Self, Error> {
         if !(sides[0] < 2.0 * radius && radius <= LARGEST) {
             let (what, allowed) = ("radius of the pad", "more than half of its first side, and at most 1e50");
@@ -107,11 +109,12 @@ impl Pad {
         Self::on_rectangle(sides, strips, Profile::Round(radius))
     }
 
-    /// A V-shaped jaw with this opening angle, rad. The bottom of the V runs along the second tangent through the middle of the rectangle; `sides`
-    /// and `strips` as for [`Self::cylinder`].
+    /// A V-shaped jaw with this opening angle, rad. The bottom of the V runs along the second tangent through the middle of the rectangle. `sides`
+    /// are the sides of this rectangle, m, and `strips` is the number of strips in half of each side.
     ///
     /// # Errors
-    /// [`Error::Fingertip`] as for a rectangle, and if the angle is not from 0.1 to π.
+    /// [`Error::Fingertip`] unless the sides are from 1e-50 to 1e50, there is at least one strip along each, and there are at most
+    /// [`SoftFingertip::MOST_POINTS`] points. The same error if the angle is not from 0.1 to π.
     pub fn v(opening: f64, sides: [f64; 2], strips: [usize; 2]) -> Result<Self, Error> {
         if !(0.1..=PI).contains(&opening) {
             let (what, allowed) = ("opening angle of the V", "from 0.1 to π rad");
@@ -125,14 +128,14 @@ impl Pad {
     }
 
     /// A jaw with this surface, in the frame in which the contact is given. It consists of the foremost points along the contact's normal. `sides`
-    /// limits it to a rectangle about the contact's point with sides along the tangents, m. Points are placed as for a rectangle. Points that miss
-    /// the surface are omitted, and so are points at which the normal of the surface is nearly perpendicular to the closing direction. The position
-    /// of the contact's point along the normal is ignored: the returned contact lies at the foremost point of the surface. Without `sides` it also
-    /// lies in the middle of the surface across the normal.
+    /// limits it to a rectangle about the contact's point with sides along the tangents, m. `strips` is the number of strips in half of each side;
+    /// two points represent each strip. Points that miss the surface are omitted, and so are points at which the normal of the surface is nearly
+    /// perpendicular to the closing direction. The position of the contact's point along the normal is ignored: the returned contact lies at the
+    /// foremost point of the surface. Without `sides` it also lies in the middle of the surface across the normal.
     ///
     /// # Errors
-    /// [`Error::Fingertip`] as for a rectangle, [`Error::Misses`] if the surface has no point within the rectangle, and [`Error::Contact`] with index
-    /// 0 for a contact whose normal or tangent gives no frame.
+    /// [`Error::Fingertip`] for sides or numbers of strips out of range, [`Error::Misses`] if the surface has no point within the rectangle, and
+    /// [`Error::Contact`] with index 0 for a contact whose normal or tangent gives no frame.
     pub fn of_surface(
         surface: &Part,
         contact: &Contact<3>,
@@ -223,7 +226,7 @@ impl Pad {
     #[must_use]
     pub fn of_layer(self, modulus: f64, thickness: f64) -> Self {
         let normal = modulus / thickness;
-        // Rubber is incompressible: its shear modulus is a third of Young's modulus.
+        // Rubber is nearly incompressible: its shear modulus is a third of Young's modulus.
         Self { layer: Some([normal, normal / 3.0]), ..self }
     }
 

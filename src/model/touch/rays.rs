@@ -10,10 +10,11 @@ use nalgebra::{Matrix3, Vector3};
 use super::pad::Pad;
 use super::part::Part;
 
-/// A ray that passes outside a triangle by less than this fraction of the mesh's size still meets the triangle: pads may be flush with an edge of the
-/// part. Also the largest cosine of the angle between a triangle's normal and the rays at which the triangle counts as parallel to the rays.
+/// A ray that passes outside a triangle by less than this fraction of the bounding box's diagonal still meets the triangle: pads may be flush with an
+/// edge of the part. The number is also the largest cosine of the angle between a triangle's normal and the rays at which the triangle counts as
+/// parallel to the rays.
 ///
-/// If smaller, rounding decides whether a flush pad meets the part; if larger, rays meet the part beside its edges.
+/// If this number is smaller, rounding decides whether a flush pad meets the part; if it is larger, rays meet the part beside its edges.
 pub(super) const FLUSH: f64 = 1e-9;
 
 /// The point where a ray from the pad first meets the part.
