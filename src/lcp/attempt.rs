@@ -92,9 +92,9 @@ impl Workspace {
         self.finish(lcp, settings)
     }
 
-    /// Improves a solution with slacks w that are more negative than rounding explains. This happens if the path treated nearly equal ratios as
-    /// ties, or small values as noise. A second path starts at this solution with a tie tolerance of at most [`ROUNDED_SUM`]. Of the two points,
-    /// the point with the smaller largest residual is kept. Settings without retries skip this step.
+    /// Improves a solution with slacks w that are more negative than rounding explains. Such slacks occur if the path treated nearly equal ratios as
+    /// ties, or small values as noise. A second path starts at this solution with a tie tolerance of at most [`ROUNDED_SUM`]. Of the two points, the
+    /// point with the smaller largest residual is kept. Settings without retries skip this step.
     fn sharpen(&mut self, lcp: &Lcp, settings: &Settings, limit: usize) {
         let coarse = match self.residuals {
             Some(r) if r.negative_w > residual_rounding(lcp.len()) && settings.retries > 0 => r,
@@ -108,8 +108,8 @@ impl Workspace {
         }
         let kept = (self.point.clone(), self.basis.clone(), self.degenerate);
         let sharp = Settings { tie_tolerance: settings.tie_tolerance.min(ROUNDED_SUM), ..settings.clone() };
-        // A few more pivots separate nearly tied ratios, if they can be separated at all. Without this limit large degenerate problems would run
-        // for long.
+        // Sixteen more pivots separate nearly tied ratios, if they can be separated at all. If this limit were left out, the second path of large
+        // degenerate problems would take long.
         let limit = limit.min(self.path.pivots + 16);
         let goes_on = self.path.cover_and_run(m, &sharp, limit) == LemkeEnd::Complementary
             && self.finish_as_it_is(lcp, &sharp).is_none();

@@ -34,7 +34,8 @@ impl Workspace {
         self.finish_basis(lcp, settings)
     }
 
-    /// Refines and checks the point at the end of the path like [`Self::finish`], but keeps each z_j that is zero up to rounding in the basis.
+    /// Refines and checks the point at the end of the path, with each z_j that is zero up to rounding kept in the basis. `None` if the point solves
+    /// the problem.
     pub(super) fn finish_as_it_is(&mut self, lcp: &Lcp, settings: &Settings) -> Option<Unsolved> {
         refill(&mut self.vanishing, lcp.len(), false);
         self.finish_basis(lcp, settings)
@@ -81,9 +82,9 @@ impl Workspace {
 
     /// Marks each basic z_j that is zero up to rounding.
     ///
-    /// One of two tests must hold. First, z_j is at most [`ZERO_VALUE`] times the size of the terms from which it was computed. Second, z_j is
-    /// at most [`ZERO_VALUE`] times the largest entry of z, and the residuals stay at the level of rounding errors if all entries this small are
-    /// set to zero. The second test finds entries that were computed from noise alone.
+    /// One of two tests must hold. First, z_j is at most [`ZERO_VALUE`] times the magnitude of the terms from which it was computed. Second, z_j is
+    /// at most [`ZERO_VALUE`] times the largest entry of z, and the residuals stay at the level of rounding errors if all entries this small are set
+    /// to zero. The second test finds entries that were computed from noise alone.
     fn mark_vanishing(&mut self, lcp: &Lcp) {
         let n = lcp.len();
         refill(&mut self.vanishing, n, false);

@@ -22,7 +22,7 @@
 //!
 //! If k slacks are nonbasic, a pivot costs 2nk flops for (1) and 2nk for the update. If k grows from 0 to n along a path, these costs are on average
 //! no more than the 2n² per pivot of a full tableau. If the path ends with half of the slacks nonbasic, they are half as large. The leaving variable
-//! determines the next entering variable, so the update and (1) share one pass over memory.
+//! determines the next entering variable, so the update and (1) share one pass over the stored columns.
 
 use super::kernel::{self, Combine, Update, UpdateAndCombine};
 use super::memory::{make_room, refill};
@@ -50,7 +50,7 @@ impl LemkeVariable {
     }
 }
 
-/// The dictionary of one basis of a balanced problem. The memory of its vectors is reused from problem to problem.
+/// The dictionary of one basis of a balanced problem. Its vectors are scratch buffers, which are used again from problem to problem.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Dictionary {
     n: usize,
@@ -66,9 +66,9 @@ pub(super) struct Dictionary {
     pub(super) x: Vec<f64>,
     /// For each row, the change of its basic variable per unit of ε if ε p is added to q. These changes break ties between rows.
     pub(super) p: Vec<f64>,
-    /// For each row, the size of the terms from which its value in `x` was computed; the rounding error of the value is proportional to this size.
-    /// [`Self::sum_terms`] sets the size to the sum of the magnitudes of the terms. Each later pivot raises it to the magnitude of the term that the
-    /// pivot adds, if that is larger.
+    /// For each row, the rounding scale of its value in `x`: the magnitude of the terms from which the value was computed, to which its rounding
+    /// error is proportional. [`Self::sum_terms`] sets it to the sum of the magnitudes of the terms. Each later pivot raises it to the magnitude of
+    /// the term that the pivot adds, if that is larger.
     pub(super) term_sizes: Vec<f64>,
     /// The column of the entering variable: for each row, the change of the basic variable per unit of the entering variable.
     pub(super) u: Vec<f64>,
@@ -101,7 +101,7 @@ impl Dictionary {
         refill(&mut self.slot, n, None);
         self.kept.clear();
         self.columns.clear();
-        // Reserves memory for n nonbasic slacks, so that no later problem of this size allocates.
+        // Room for n nonbasic slacks is reserved, so that no later problem of n rows allocates.
         make_room(&mut self.kept, n);
         make_room(&mut self.columns, n * n);
         for list in [&mut self.g, &mut self.c] {
@@ -174,10 +174,10 @@ impl Dictionary {
         wide(Combine::<true> { columns: &self.columns, n: self.n, c: &self.c, y: &mut self.term_sizes });
     }
 
-    /// Sets to zero those entries of the entering column `u` that are only noise, i.e. rounding errors of zero.
+    /// Sets to zero those entries of the entering column `u` that are only noise: rounding alone may have produced them.
     ///
-    /// In a column that was computed as a sum (equation (1) at the top of the file), an entry is noise below `tolerance` times the magnitude of its
-    /// terms. In the stored column of a slack, an entry is noise below [`STORED_ROUNDING`] (64 units of rounding) times the largest entry.
+    /// In a column that was computed as a sum (equation (1) at the top of the file), an entry is noise if it is below `tolerance` times the magnitude
+    /// of its terms. In the stored column of a slack, an entry is noise if it is below [`STORED_ROUNDING`] (64 ε, ε = 2⁻⁵²) times the largest entry.
     pub(super) fn clear_noise(&mut self, entering: LemkeVariable, tolerance: f64) {
         if let LemkeVariable::W(_) = entering {
             let rounding = STORED_ROUNDING * largest(&self.u);

@@ -49,7 +49,8 @@ impl Lcp {
         self.all_solutions_with(&Settings::default())
     }
 
-    /// [`Self::all_solutions`] with other [`Settings`], of which only the tolerances matter.
+    /// All solutions of a small problem, by trying all 2ⁿ complementary bases with the given [`Settings`], of which only the tolerances matter.
+    /// `None` if n > 20.
     #[must_use]
     pub fn all_solutions_with(&self, settings: &Settings) -> Option<AllSolutions> {
         (self.len() <= MOST_ENUMERATED).then(|| all_solutions(self, settings))
@@ -125,10 +126,10 @@ impl Search<'_> {
         Some(basis)
     }
 
-    /// The values `basic` of z_α, with values below rounding replaced by zero.
+    /// The values `basic` of z_α, with zero in place of values that are zero up to rounding.
     ///
-    /// Without this replacement rounding noise would decide the sign of the slack w in a row whose other terms are all zero. If a replaced value was
-    /// not noise, the residuals become large.
+    /// If they were not replaced, rounding noise would decide the sign of the slack w in a row whose other terms are all zero. If a replaced value
+    /// was not noise, the residuals become large.
     fn without_noise(&self, alpha: &[usize], basic: &DVector<f64>) -> DVector<f64> {
         let size = |j: usize| basic[j].abs() / self.scaling.column[alpha[j]];
         let largest = (0..alpha.len()).map(size).fold(0.0, f64::max);

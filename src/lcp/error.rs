@@ -1,11 +1,12 @@
-//! Errors in the input of a complementarity problem: wrong sizes of matrices or vectors, and entries that are not finite.
+//! Errors in the input of a complementarity problem: matrices or vectors with the wrong number of rows, columns or entries, and entries that are not
+//! finite.
 
 use nalgebra::{DMatrix, DVector};
 use thiserror::Error;
 
 /// Faults in the input of a problem.
 ///
-/// That no solution exists is not an error but an answer, see [`Outcome`](super::Outcome).
+/// That no solution exists is not an error but an answer ([`Outcome`](super::Outcome)).
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
 pub enum LcpError {

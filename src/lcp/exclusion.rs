@@ -8,9 +8,9 @@
 //! ```
 //!
 //! If the principal block M_αα is regular, exactly one z has z_ᾱ = 0 and (M z + q)_α = 0: the point of the basis. If this point violates a condition
-//! of the piece, v is derived from a row of the inverse of the block. The sums (Mᵀv)_α, which would be zero, are shifted slightly below zero, so that
-//! rounding cannot make them positive. For singular blocks v comes from a linear program. Every v is checked by sums without rounding; if none
-//! passes, the basis is not excluded.
+//! of the piece, v is derived from a row of the inverse of the block. The sums (Mᵀv)_α of such a v are zero in exact arithmetic. They are shifted
+//! slightly below zero, so that rounding cannot make them positive. For singular blocks v comes from a linear program. Every v is checked by sums
+//! without rounding; if none passes, the basis is not excluded.
 
 use super::farkas::{Domain, cleaned};
 use super::linear_program::{self, MARGINS};
@@ -73,7 +73,7 @@ impl ExclusionTest<'_> {
         increasing(&values).into_iter().take(3).any(|position| {
             let (value, which) = &broken[position];
             // The proof needs (Mᵀv)_α ≤ 0 and qᵀv < 0. A shift of (Mᵀv)_α below zero raises the negative qᵀv, and may use up this fraction of its
-            // magnitude. With a fraction near 0 or 1, rounding would decide the sign of (Mᵀv)_α or of qᵀv.
+            // magnitude. If the fraction were near 0 or 1, rounding would decide the sign of (Mᵀv)_α or of qᵀv.
             let used_up = 0.25;
             let push = if reach > 0.0 { used_up * -value / reach } else { used_up };
             let mut target = DVector::from_element(size, -push);

@@ -157,7 +157,7 @@ fn times(column: &[f64], y: &DVector<f64>) -> ExactSum {
 pub(super) fn cleaned(y: &DVector<f64>) -> impl Iterator<Item = DVector<f64>> {
     let noise = ZERO_VALUE * y.amax();
     let mut all = vec![y.clone(), y.map(|y| if y.abs() <= noise { 0.0 } else { y })];
-    // The size of the rounding errors in y is not known, so candidates are tried for increasing errors.
+    // The magnitude of the rounding errors in y is not known, so candidates are tried for increasing errors.
     for rounding in [1e-14, 1e-11, 1e-8] {
         all.extend(whole_within(y, rounding));
     }

@@ -1,12 +1,12 @@
-//! Inner loops of a pivot, in a form that the compiler vectorises (see [`crate::numerics::wide`]). A dictionary is the condensed tableau of one
+//! Inner loops of a pivot, in a form that the compiler vectorises (with [`crate::numerics::wide`]). A dictionary is the condensed tableau of one
 //! basis, of which only the columns a_j of nonbasic slacks are stored. A pivot with the entering column u adds g_j u to each a_j, with a coefficient
 //! g_j for each column. The next entering column is the given vector y minus Σ_j c_j a_j, where y and the c_j are entries of one column of the
 //! problem's matrix.
 
 use crate::numerics::{Each, Loop};
 
-/// The update a_j += g_j u of the stored columns, then y −= Σ_j c_j a_j with the updated a_j. Four columns are processed at a time, in one pass over
-/// memory.
+/// The update a_j += g_j u of the stored columns, then y −= Σ_j c_j a_j with the updated a_j. Four columns are processed at a time, and each column
+/// is read only once.
 pub(super) struct UpdateAndCombine<'a> {
     pub(super) columns: &'a mut [f64],
     pub(super) n: usize,
@@ -50,8 +50,8 @@ impl Loop for UpdateAndCombine<'_> {
     }
 }
 
-/// The sum y −= Σ_j c_j a_j over the stored columns a_j. With `SIZES` the sum of magnitudes y += Σ_j |c_j a_j| instead, to which the rounding error
-/// of the first sum is proportional.
+/// The sum y −= Σ_j c_j a_j over the stored columns a_j. If `SIZES` is true, the sum of magnitudes y += Σ_j |c_j a_j| is computed instead, to which
+/// the rounding error of the first sum is proportional.
 pub(super) struct Combine<'a, const SIZES: bool> {
     pub(super) columns: &'a [f64],
     pub(super) n: usize,

@@ -79,9 +79,9 @@ impl Workspace {
         self.path.d.clear();
         self.path.d.extend(
             // Entry i of the covering vector d is 2^e times `unit`, the factor that row i lacks because its scaling is rounded to a power of two.
-            // Here e is between −3 and 3. In a narrower range the paths would stay close to the first path. In a wider range the problems would be
-            // badly scaled. The exponents follow from a fixed list of irregular numbers ([`generic`]), in which each attempt starts a million numbers
-            // further. A dense problem has fewer than a million rows, so attempts share no number.
+            // Here e is between −3 and 3. If the range were narrower, the paths would stay close to the first path. If it were wider, the problems
+            // would be badly scaled. The exponents follow from a fixed list of irregular numbers ([`generic`]), in which each attempt starts a
+            // million numbers further. A dense problem has fewer than a million rows, so attempts share no number.
             units.map(|(i, unit)| unit * (6.0 * (generic(attempt * 1_000_003 + i) - 1.0)).exp2()),
         );
         let limit = settings.retry_limit(lcp.len(), self.path.pivots);

@@ -87,8 +87,8 @@ impl LemkePath {
 
     /// The row whose basic variable first reaches zero as `entering` increases; `None` if no basic variable reaches zero.
     ///
-    /// The dictionary is first recomputed if it has drifted from M, q and d by rounding, if the column of `entering` has overflowed, or if no
-    /// row offers a pivot. It is also recomputed for a pivot below [`DOUBTFUL_PIVOT`] times the size of its column, unless one step of
+    /// The dictionary is first recomputed if it has drifted from M, q and d by rounding, if the column of `entering` has overflowed, or if no row
+    /// offers a pivot. It is also recomputed for a pivot below [`DOUBTFUL_PIVOT`] times the largest entry of its column, unless one step of
     /// refinement changes the column by at most the fraction [`DRIFTED`].
     pub(super) fn blocking_row(
         &mut self,
@@ -97,8 +97,8 @@ impl LemkePath {
         m: &[f64],
         settings: &Settings,
     ) -> Result<Option<usize>, BreakdownCause> {
-        // The dictionary is compared with M, q and d once in 32 pivots. The comparison costs as much as one or two pivots; with fewer comparisons,
-        // drift would be found late.
+        // The dictionary is compared with M, q and d once in 32 pivots. The comparison costs as much as one or two pivots. If it were made less
+        // often, drift would be found late.
         if self.age > 0 && self.pivots.is_multiple_of(32) {
             if self.drift(m) > DRIFTED {
                 self.refactor(entering, m)?;

@@ -6,10 +6,11 @@ use crate::prelude::*;
 
 /// The number of mantissas, each below 2, that are multiplied before a logarithm of the product is taken.
 ///
-/// Above 1023 the product could overflow. With a smaller number, more logarithms are needed.
+/// If the number were above 1023, the product could overflow. If it were smaller, more logarithms would be needed.
 const MULTIPLIED: usize = 512;
 
-/// For each row, or for each column, Σ log₂|M_ij| over its entries that are neither zero nor subnormal, and the number of these entries.
+/// For each row, or for each column, Σ log₂|M_ij| over its entries that are neither zero nor subnormal, and the number of these entries. A subnormal
+/// entry is not counted, but adds its mantissa's logarithm, less than 1, to the sum.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Logarithms {
     pub(super) sum: Vec<f64>,
@@ -22,7 +23,7 @@ pub(super) struct Logarithms {
 
 impl Logarithms {
     /// The sums over the rows and over the columns of the n × n matrix m, stored by columns. Logarithms are taken only of products of mantissas,
-    /// not of single entries, which would be slow.
+    /// since a logarithm of every entry would be slow.
     pub(super) fn of(n: usize, m: &[f64], rows: &mut Self, columns: &mut Self) {
         rows.reset(n);
         columns.reset(n);

@@ -1,8 +1,8 @@
-//! Helpers for vectors whose memory is reused from problem to problem.
+//! Helpers for scratch buffers: vectors that are used again from problem to problem.
 
 use crate::prelude::*;
 
-/// Fills a vector with n copies of a value.
+/// Replaces the contents of a vector by n copies of a value.
 #[inline]
 pub(super) fn refill<T: Clone>(v: &mut Vec<T>, n: usize, value: T) {
     v.clear();

@@ -53,7 +53,8 @@
 //! If several variables reach zero together, the lexicographic rule (section 4.9) chooses the variable that leaves: the variable that would reach
 //! zero first with q + ε p in place of q, ε → 0+. The vector p is fixed and generic. With this rule no path returns to an earlier basis.
 //!
-//! A pivot costs O(n²) flops. The path needs O(n²) memory in addition to M, which a [`Workspace`] or a [`Series`] keeps for reuse.
+//! A pivot costs O(n²) flops. The path needs scratch buffers of O(n²) numbers in addition to M. A [`Workspace`] or a [`Series`] keeps them from
+//! problem to problem.
 
 // The files of this module, lowest level first. `tolerances` holds every number with which a value is compared. `problem` is validated input,
 // `scaling` balances its rows and columns, and a `dictionary` represents one of its bases. `path`, `lemke` and `refactor` move from dictionary to

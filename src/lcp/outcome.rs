@@ -10,7 +10,7 @@ use nalgebra::DVector;
 use thiserror::Error;
 
 /// The way a solve ended, and what this says about the problem. S is the type of a solution, for example a [`Solution`] of an [`Lcp`](super::Lcp), or
-/// a view that borrows the memory of a solver ([`OutcomeView`]).
+/// a view that borrows the vectors of a solver ([`OutcomeView`]).
 ///
 /// The first four variants state a fact about the problem; the last three leave it undecided. `Display` writes one line.
 #[derive(Debug, Clone, PartialEq)]
@@ -49,7 +49,7 @@ pub enum Outcome<S = Solution> {
     },
 }
 
-/// The answer of a [`Workspace`](super::Workspace) or a [`Series`](super::Series); the solution borrows their memory.
+/// The answer of a [`Workspace`](super::Workspace) or a [`Series`](super::Series); the solution borrows their vectors.
 pub type OutcomeView<'a> = Outcome<SolutionView<'a>>;
 
 /// Any outcome except a solution.
@@ -99,14 +99,14 @@ impl<S> Outcome<S> {
 }
 
 impl Unsolved {
-    /// The same outcome with another type S of solutions; this outcome holds no solution.
+    /// This outcome with another type S of solutions; this outcome holds no solution.
     pub(super) fn into<S>(self) -> Outcome<S> {
         self.and_then(|never| match never {})
     }
 }
 
 impl OutcomeView<'_> {
-    /// This outcome with a copy of the solution, independent of the memory of the workspace or series.
+    /// This outcome with a copy of the solution, which borrows nothing from the workspace or series.
     #[must_use]
     pub fn into_outcome(self) -> Outcome {
         self.and_then(|view| Outcome::Solved(view.to_solution()))
@@ -231,11 +231,10 @@ pub enum BreakdownCause {
         /// The contact with this residual at the best forces, counted from 0.
         contact: usize,
     },
-    /// The caller's watch function stopped the solve when the best forces had this residual; see
-    /// [`FrictionProblem::solve_watched`](crate::friction::FrictionProblem::solve_watched).
+    /// The caller's watch function stopped the solve ([`FrictionProblem::solve_watched`](crate::friction::FrictionProblem::solve_watched)).
     #[error("stopped on request at a residual of {residual:.1e}, at contact {contact}")]
     Stopped {
-        /// The largest residual over all contacts, at the best forces found until then.
+        /// The largest residual over all contacts, at the best forces found until then, i.e. the forces for which this residual is smallest.
         residual: f64,
         /// The contact with this residual at these forces, counted from 0.
         contact: usize,

@@ -44,7 +44,7 @@ pub struct Breakpoint {
     pub rate: DVector<f64>,
 }
 
-/// The reason why the path has no further breakpoints.
+/// The reason why the path of solutions has no further breakpoints.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum PathEnd {
@@ -114,12 +114,12 @@ impl<'a> Parametric<'a> {
         Self::from_basis(lcp, &Basis::slack(lcp.len()), dq, settings)
     }
 
-    /// As [`Parametric::new`], but the path starts at the solution that [`Lcp::solve_from`] finds from `basis`. If the problem at τ = 0 has several
-    /// solutions, `basis` selects one of them.
+    /// The path for q₀ of `lcp` and the direction dq (n entries), from the solution that [`Lcp::solve_from`] finds from `basis`. If the problem at τ
+    /// = 0 has several solutions, `basis` selects one of them.
     ///
     /// # Errors
     ///
-    /// As for [`Parametric::new`].
+    /// [`LcpError::Length`] if dq has another length than the problem, [`LcpError::VectorEntry`] for an entry that is not finite.
     pub fn from_basis(
         lcp: &'a Lcp,
         basis: &Basis,

@@ -9,7 +9,7 @@ use super::scaling::Scaling;
 use crate::numerics::generic;
 use crate::prelude::*;
 
-/// State of a path through the dictionaries of one balanced problem.
+/// A path through the dictionaries of one balanced problem, as far as it has been followed.
 #[derive(Debug, Clone, Default)]
 pub(super) struct LemkePath {
     pub(super) scaling: Scaling,
@@ -49,8 +49,8 @@ impl LemkePath {
         self.reserve(q.len());
     }
 
-    /// Reserves memory for recomputing a dictionary by elimination, which only some paths of n rows need. Later paths of this size then allocate
-    /// nothing.
+    /// Reserves scratch buffers for recomputing a dictionary by elimination, which only some paths of n rows need. Later paths of n rows then
+    /// allocate nothing.
     fn reserve(&mut self, n: usize) {
         for list in [&mut self.d, &mut self.defect, &mut self.terms] {
             make_room(list, n);

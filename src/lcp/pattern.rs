@@ -17,8 +17,8 @@ pub(super) enum Column<'a> {
 impl<'a> Pattern<'a> {
     /// The nonzero entries of [M, q]; M has n rows and is stored by columns. `nonzero` is the number of nonzero entries in each column.
     ///
-    /// If less than a quarter of the entries are nonzero, their rows are written to `list`. With more nonzero entries, testing every entry is faster
-    /// than using a list.
+    /// If less than a quarter of the entries are nonzero, their rows are written to `list`. If more entries are nonzero, testing every entry is
+    /// faster than using a list.
     pub(super) fn of(n: usize, m: &'a [f64], q: &'a [f64], nonzero: &[f64], list: &'a mut Vec<u32>) -> Self {
         let total: f64 = nonzero.iter().sum();
         if 4.0 * total >= (n * n) as f64 {

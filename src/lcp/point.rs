@@ -63,7 +63,7 @@ impl LcpPoint {
 }
 
 impl Lcp {
-    /// The residuals of the problem at z (n entries), see [`Residuals`].
+    /// The residuals of the problem at z (n entries), relative to the magnitudes of their terms.
     ///
     /// The residuals are infinite for a z of another length or with entries that are not finite.
     #[must_use]

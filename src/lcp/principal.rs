@@ -7,24 +7,24 @@ use crate::numerics::tolerances::FEW_ROUNDINGS;
 use crate::numerics::{matrix_of, vector_of};
 use nalgebra::{DMatrix, DVector};
 
-/// Solves M_αα z_α = −q_α by pivoted LU, with refinement, after rows and columns of the block are scaled (see [`Scaling`]). `None` if the block is
-/// singular to working precision.
+/// Solves M_αα z_α = −q_α by pivoted LU, with refinement, after rows and columns of the block are scaled by powers of two, so that its entries lie
+/// near 1. `None` if the block is singular to working precision.
 pub(super) fn solve(lcp: &Lcp, alpha: &[usize]) -> Option<DVector<f64>> {
     let size = alpha.len();
     let block = matrix_of(size, size, &|i, j| lcp.m[(alpha[i], alpha[j])]);
     solve_block(block, &vector_of(size, &|i| -lcp.q[alpha[i]]))
 }
 
-/// Solves a square system by pivoted LU, with refinement, after rows and columns are scaled (see [`Scaling`]). `None` if the matrix is singular to
-/// working precision.
+/// Solves a square system by pivoted LU, with refinement, after rows and columns are scaled by powers of two, so that entries lie near 1. `None` if
+/// the matrix is singular to working precision.
 pub(super) fn solve_block(mut block: DMatrix<f64>, rhs: &DVector<f64>) -> Option<DVector<f64>> {
     let size = rhs.len();
     if size == 0 {
         return Some(DVector::zeros(0));
     }
     let mut scaling = Scaling::default();
-    // The block is balanced: rows and columns are scaled so that its entries lie near 1. A right-hand side of zeros has no influence on this scaling;
-    // the given one would move the entries of the block away from 1.
+    // The block is balanced: rows and columns are scaled so that its entries lie near 1. A right-hand side of zeros has no influence on this scaling.
+    // If the given right-hand side were included, it would move the entries of the block away from 1.
     scaling.balance(size, block.as_slice(), &vec![0.0; size]);
     for j in 0..size {
         for i in 0..size {

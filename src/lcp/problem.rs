@@ -37,7 +37,8 @@ impl Lcp {
     ///
     /// # Errors
     ///
-    /// [`LcpError::RowLength`] for the first row whose length differs from the number of rows. Otherwise as for [`Lcp::new`].
+    /// [`LcpError::RowLength`] for the first row whose length differs from the number of rows. [`LcpError::Length`] if the length of q differs from
+    /// the number of rows. [`LcpError::MatrixEntry`] and [`LcpError::VectorEntry`] for an entry that is not finite.
     pub fn from_rows<R: AsRef<[f64]>>(rows: &[R], q: &[f64]) -> Result<Self, LcpError> {
         let n = rows.len();
         if let Some(row) = rows.iter().position(|row| row.as_ref().len() != n) {

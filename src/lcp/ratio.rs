@@ -1,9 +1,10 @@
 //! The ratio test of a pivot: which basic variable reaches zero first (blocks) as the entering variable increases, and the choice if several do so at
 //! once. Noise is a value that rounding alone may have produced.
 //!
-//! **Ties.** Symmetric problems have ties at almost every step, and breaking them by index or size may lead to cycling. The rule used here is the
-//! lexicographic rule (Cottle, Pang & Stone, section 4.9). It follows the path of the problem with q + ε p in place of q, where ε → 0+ and the vector
-//! p has irregular entries. This perturbed problem has no ties. Its path is found by comparing entries of p among rows that tie; q is not changed.
+//! **Ties.** Symmetric problems have ties at almost every step, and if they are broken by index or by magnitude, the path may cycle. The rule used
+//! here is the lexicographic rule (Cottle, Pang & Stone, section 4.9). It follows the path of the problem with q + ε p in place of q, where ε → 0+
+//! and the vector p has irregular entries. This perturbed problem has no ties. Its path is found by comparing entries of p among rows that tie; q is
+//! not changed.
 //!
 //! z₀ is the covering variable of w = q + M z + d z₀. If z₀ is among the tied variables, it leaves, since the point with z₀ = 0 solves the problem.
 
@@ -93,8 +94,8 @@ pub(super) fn blocking_row(
 /// The row `firm` limits the step of the entering variable. Returns whether this step makes the value of a doubtful row negative. u_i is the change
 /// of the basic variable of row i per unit of the entering variable. Row i is doubtful if −`certain` ≤ u_i < 0: u_i may then be noise.
 ///
-/// A value counts as negative only beyond rounding: beyond its own rounding error, or the rounding error of the largest value. If no value
-/// becomes negative, it does not matter whether a doubtful row blocks first.
+/// A value counts as negative only beyond rounding: beyond its own rounding error, or the rounding error of the largest value. If no value becomes
+/// negative, a doubtful row that blocks earlier may be ignored.
 pub(super) fn doubtful_row_breaks(
     dictionary: &Dictionary,
     certain: f64,

@@ -13,7 +13,7 @@ use crate::numerics::generic;
 
 impl LemkePath {
     /// Drift of the basic values, which rounding causes from pivot to pivot. It is the largest violation of w = q + M z + d z₀ in any row, divided by
-    /// the magnitude of the terms of this row plus [`DRIFT_FLOOR`] (1e-3) times the largest |q_i|. Without this addition, rows whose terms are all
+    /// the magnitude of the terms of this row plus [`DRIFT_FLOOR`] (1e-3) times the largest |q_i|. If nothing were added, rows whose terms are all
     /// rounding errors would have a large drift.
     pub(super) fn drift(&mut self, m: &[f64]) -> f64 {
         self.compute_defect(m);
@@ -119,7 +119,7 @@ impl LemkePath {
     }
 
     /// Prepares the covering variable z₀ to enter the current complementary basis. A row is violated if its basic value is below −`noise` times the
-    /// size of its terms. Returns whether there are such rows.
+    /// magnitude of its terms. Returns whether there are such rows.
     ///
     /// In the dictionary, the column of z₀ gets an entry near 1 in each violated row and 0 in the others. d becomes the covering vector that has this
     /// column.

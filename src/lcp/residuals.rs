@@ -35,7 +35,7 @@ impl Residuals {
         if all.iter().any(|r| r.is_nan()) { f64::NAN } else { all.into_iter().fold(0.0, f64::max) }
     }
 
-    /// Whether all three residuals are numbers of at most this size.
+    /// Whether all three residuals are at most `tolerance`; false if one is NaN.
     #[must_use]
     pub fn within(&self, tolerance: f64) -> bool {
         self.all().iter().all(|r| *r <= tolerance)

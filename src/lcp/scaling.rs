@@ -6,7 +6,7 @@
 //! independent of units.
 //!
 //! Scaling by the largest entries has no such property: its result depends on the initial scaling. If M has zeros, q is included as one more column.
-//! Without q, uncoupled blocks of M would each keep an undetermined factor.
+//! If q were left out, uncoupled blocks of M would each keep an undetermined factor.
 //!
 //! The data are multiplied only by powers of two, which causes no rounding and preserves ties. Each ρ_i is therefore rounded to an integer. The
 //! factor that row i lacks as a result becomes entry i of the covering vector d, which need not consist of powers of two.
@@ -33,8 +33,8 @@ pub(super) struct Scaling {
     gamma: Vec<f64>,
     rows: Logarithms,
     columns: Logarithms,
-    /// Row indices of the nonzero entries of [M, q], column after column, if there are fewer than n²/4 of them; with more, testing every entry is
-    /// faster than a list. The memory of this list is reused.
+    /// Row indices of the nonzero entries of [M, q], column after column, if there are fewer than n²/4 of them; if there are more, testing every
+    /// entry is faster than a list. The list is a scratch buffer.
     pattern: Vec<u32>,
     residual: Vec<f64>,
     direction: Vec<f64>,

@@ -9,8 +9,8 @@ use nalgebra::{DMatrix, DVector};
 
 /// A series of problems with the same M, each solved from the basis of the previous problem.
 ///
-/// The dictionary (tableau) of the last basis is kept. A new q costs about as much as one pivot for its values, plus one pivot per change of the
-/// basis. From the third problem on nothing is allocated, unless a path fails.
+/// The dictionary (condensed tableau) of the last basis is kept. A new q costs about as much as one pivot for its values, plus one pivot per change
+/// of the basis. From the third problem on nothing is allocated, unless a path fails.
 ///
 /// ```
 /// use grasp_lcp::lcp::{Series, OutcomeView, Settings};

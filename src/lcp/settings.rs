@@ -1,5 +1,5 @@
 //! Limits, tolerances and the covering vector of a solve. The problem is 0 ≤ z ⟂ w = M z + q ≥ 0. Lemke's method pivots along a path of bases, which
-//! ends in a solution or in a ray, an unbounded edge.
+//! ends in a solution or in a ray, along which the covering variable never vanishes.
 
 use super::outcome::BreakdownCause;
 use nalgebra::DVector;
@@ -45,31 +45,32 @@ pub struct Settings {
     /// that need about 2ⁿ pivots are solved up to n = 13. A smaller limit stops solvable problems. A larger limit only lengthens the solves that need
     /// about 2ⁿ pivots.
     pub max_pivots: Option<usize>,
-    /// Relative size from which a coefficient of the entering column can block the entering variable; smaller coefficients are noise (default 1e-11).
-    /// The coefficient must exceed this fraction of the largest entry of the column, or of the terms that were summed to compute the coefficient. The
-    /// largest entry counts as at least 1, after M has been scaled such that its nonzero entries lie near 1.
+    /// Relative magnitude from which a coefficient of the entering column can block the entering variable; smaller coefficients are noise (default
+    /// 1e-11). The coefficient must exceed this fraction of the largest entry of the column, or of the terms that were summed to compute the
+    /// coefficient. The largest entry counts as at least 1, after M has been scaled such that its nonzero entries lie near 1.
     ///
     /// The tolerance guards against pivots on rounding errors where the true coefficient is zero. These errors are some 1e-16 times the growth of the
-    /// elimination. Below 1e-14 rounding errors become pivots, and a path that should end in a ray continues to wrong bases; above 1e-6 true blocking
-    /// rows of ill-conditioned problems are overlooked.
+    /// elimination. If the tolerance is below 1e-14, rounding errors become pivots, and a path that should end in a ray continues to wrong bases. If
+    /// it is above 1e-6, true blocking rows of ill-conditioned problems are overlooked.
     pub pivot_tolerance: f64,
     /// A basic variable counts as zero after a step of the entering variable if its remaining value is at most this fraction of its decrease in the
     /// step (default 1e-12). Variables that are zero in this sense after the shortest step tie. A value below its own rounding error counts as zero
     /// in any case.
     ///
-    /// The tolerance is needed by the tie rule: rows that tie in exact arithmetic must be recognised as ties although rounding separates them. At 0
-    /// exact ties may be missed, and if z₀ then does not leave, the path of a solvable problem continues into a ray. Above 1e-8 rows that do not tie
-    /// are treated as ties, and basic variables may become negative by this fraction.
+    /// The tolerance is needed by the tie rule: rows that tie in exact arithmetic must be recognised as ties although rounding separates them. If the
+    /// tolerance is 0, exact ties may be missed, and if z₀ then does not leave, the path of a solvable problem continues into a ray. If it is above
+    /// 1e-8, rows that do not tie are treated as ties, and basic variables may become negative by this fraction.
     pub tie_tolerance: f64,
     /// Largest [`Residuals`](super::Residuals), recomputed from the given M and q, with which a point is accepted as a solution (default 1e-10).
     ///
-    /// The tolerance guards against false solutions. Computed solutions have residuals below 1e-14 unless the basis is nearly singular. Below 1e-15
-    /// correctly rounded solutions are rejected; above 1e-6 points are accepted that solve a visibly different problem.
+    /// The tolerance guards against false solutions. Computed solutions have residuals below 1e-14 unless the basis is nearly singular. If the
+    /// tolerance is below 1e-15, correctly rounded solutions are rejected. If it is above 1e-6, points are accepted that solve a visibly different
+    /// problem.
     pub residual_tolerance: f64,
     /// Whether linear programming searches for a proof that no z ≥ 0 satisfies M z + q ≥ 0, if a ray contains no proof (default `true`).
     ///
     /// The proof decides problems that otherwise end in a ray. Up to 64 rows the search solves up to four linear programs, for more rows one. Each
-    /// program takes as long as one path of a problem of 2 n + 1 rows. Without this search most infeasible problems end in
+    /// program takes as long as one path of a problem of 2 n + 1 rows. If this search is switched off, most infeasible problems end in
     /// [`Outcome::Ray`](super::Outcome::Ray), after all retries.
     pub prove_infeasible: bool,
     /// Number of retries (default 8). Each retry follows a path with another covering vector and, if that fails, a path from another starting basis.
@@ -105,22 +106,21 @@ impl Default for Settings {
 
 impl Settings {
     setters! {
-        /// These settings with another covering vector, see [`Settings::covering`].
+        /// These settings with another covering vector ([`Settings::covering`]).
         pub fn with_covering(mut self, covering: DVector<f64>) { self.covering = Some(covering); }
 
-        /// These settings with a limit on the number of pivots of all Lemke paths of a solve together, see [`Settings::max_pivots`].
+        /// These settings with a limit on the number of pivots of all Lemke paths of a solve together ([`Settings::max_pivots`]).
         pub fn with_max_pivots(mut self, max_pivots: usize) { self.max_pivots = Some(max_pivots); }
 
-        /// These settings with or without the search for a proof, see [`Settings::prove_infeasible`].
+        /// These settings with or without the search for a proof by linear programming ([`Settings::prove_infeasible`]).
         pub fn with_prove_infeasible(mut self, prove_infeasible: bool) {
             self.prove_infeasible = prove_infeasible;
         }
 
-        /// These settings with another number of retries; with 0 only one path is followed. See [`Settings::retries`].
+        /// These settings with another number of retries; with 0 only one path is followed ([`Settings::retries`]).
         pub fn with_retries(mut self, retries: usize) { self.retries = retries; }
 
-        /// These settings with another largest n for which all complementary bases are tried; with 0 none are tried. See
-        /// [`Settings::enumerate_up_to`].
+        /// These settings with another largest n for which all complementary bases are tried; with 0 none are tried ([`Settings::enumerate_up_to`]).
         pub fn with_enumerate_up_to(mut self, enumerate_up_to: usize) {
             self.enumerate_up_to = enumerate_up_to;
         }

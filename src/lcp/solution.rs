@@ -26,7 +26,7 @@ pub struct Solution {
     pub degenerate: bool,
 }
 
-/// A [`Solution`] that borrows the memory of its [`Workspace`](super::Workspace) or [`Series`](super::Series). It has the same fields as a
+/// A [`Solution`] that borrows the vectors of its [`Workspace`](super::Workspace) or [`Series`](super::Series). It has the same fields as a
 /// [`Solution`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
@@ -38,7 +38,7 @@ pub struct SolutionView<'a> {
     pub w: &'a [f64],
     /// The complementary basis to which the solution belongs: the set of the basic z_i.
     pub basis: &'a Basis,
-    /// Residuals at z, recomputed from the given M and q; see [`Residuals`].
+    /// Residuals at z, recomputed from the given M and q before entries of w are set to zero.
     pub residuals: Residuals,
     /// Number of pivots, on all of Lemke's paths that the solver followed.
     pub pivots: usize,
@@ -47,7 +47,7 @@ pub struct SolutionView<'a> {
 }
 
 impl SolutionView<'_> {
-    /// A copy of the solution, independent of the memory of the workspace or series.
+    /// A copy of the solution, which borrows nothing from the workspace or series.
     #[must_use]
     pub fn to_solution(&self) -> Solution {
         Solution {

@@ -20,8 +20,8 @@ impl Lcp {
     /// Solves the problem by Lemke's method. An ordinary path has n to 3 n pivots.
     ///
     /// The first path may end without a solution. If it ended because of a pivot limit or an invalid covering vector that the caller has set, this
-    /// outcome is returned. Otherwise the following attempts are made until one decides the problem. The path may have ended in a ray, along which
-    /// the covering variable never vanishes. A Farkas vector y ≥ 0 with Mᵀy ≤ 0 and qᵀy < 0 proves that no solution exists.
+    /// outcome is returned. Otherwise the following attempts are made until one decides the problem. A ray is an end of the path along which the
+    /// covering variable never vanishes. A Farkas vector y ≥ 0 with Mᵀy ≤ 0 and qᵀy < 0 proves that no solution exists.
     ///
     /// 1. the ray itself as a Farkas vector;
     /// 2. a Farkas vector from the linear program min { t : M z + q + t 1 ≥ 0, z, t ≥ 0 }
@@ -72,7 +72,7 @@ impl Lcp {
 }
 
 impl Workspace {
-    /// Solves a problem like [`Lcp::solve_with`], in the memory of this workspace.
+    /// Solves a problem by Lemke's method from the slack basis, as [`Lcp::solve_with`] does, in the scratch buffers of this workspace.
     pub fn solve(&mut self, lcp: &Lcp, settings: &Settings) -> OutcomeView<'_> {
         let failure = match self.refuse(lcp, settings) {
             Some(refused) => Some(refused),
@@ -82,7 +82,8 @@ impl Workspace {
         self.answer(failure)
     }
 
-    /// Solves a problem like [`Lcp::solve_from`], in the memory of this workspace.
+    /// Solves a problem by Lemke's method from the complementary basis `basis`, as [`Lcp::solve_from`] does, in the scratch buffers of this
+    /// workspace.
     pub fn solve_from(&mut self, lcp: &Lcp, basis: &Basis, settings: &Settings) -> OutcomeView<'_> {
         if let Some(refused) = self.refuse(lcp, settings) {
             return self.answer(Some(refused));

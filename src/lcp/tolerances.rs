@@ -9,8 +9,8 @@
 /// Farkas vectors may also count as zero below this fraction of the largest entry of their vector.
 ///
 /// Sums of n terms have relative errors of about nε, and a few pivots multiply them by a small number. With a smaller limit, noise remains in the
-/// basis, and a degenerate solution (with a zero basic variable) is not marked as degenerate. Above 1e-10, true values are set to zero, which the
-/// residuals do not show.
+/// basis, and a degenerate solution (with a zero basic variable) is not marked as degenerate. If the limit is above 1e-10, true values are set to
+/// zero, which the residuals do not show.
 pub(super) const ZERO_VALUE: f64 = 1e-13;
 
 /// Residuals of a point z above this limit are worth a new factorisation of its basis, which costs up to 2n³/3 flops.
@@ -19,30 +19,30 @@ pub(super) const ZERO_VALUE: f64 = 1e-13;
 /// limit, points keep fewer correct digits than possible.
 pub(super) const SOUND_RESIDUAL: f64 = 1e-13;
 
-/// For each nonbasic slack w_i the dictionary stores a column. Entries of this column below this fraction of its largest entry count as rounding
-/// errors of zero.
+/// For each nonbasic slack w_i the dictionary stores a column. Entries of this column below this fraction of its largest entry count as zero.
 ///
 /// Such a column is updated from pivot to pivot rather than summed, so its terms are unknown. The updates of a few dozen pivots leave rounding errors
-/// of this size. With a smaller limit, noise becomes a pivot. With a larger limit, true small pivots are overlooked.
+/// of this magnitude. With a smaller limit, noise becomes a pivot. With a larger limit, true small pivots are overlooked.
 pub(super) const STORED_ROUNDING: f64 = 64.0 * f64::EPSILON;
 
-/// A pivot below this fraction of its column is accepted only if the dictionary was recently recomputed from M and q, or if the entering column was
-/// refined.
+/// A pivot below this fraction of the largest entry of its column is accepted only if the dictionary was recently recomputed from M and q, or if the
+/// entering column was refined.
 ///
-/// Such a pivot multiplies the errors of all entries by its inverse: half of the sixteen digits would be lost. With a larger limit, dictionaries are
-/// recomputed, at O(n³), although they are accurate. With a smaller limit, pivots are made on noise.
+/// A pivot that is 1e-7 of its column multiplies the errors of all entries by 1e7, so seven of the sixteen digits are lost. With a larger limit,
+/// dictionaries are recomputed, at O(n³), although they are accurate. With a smaller limit, pivots are made on noise.
 pub(crate) const DOUBTFUL_PIVOT: f64 = 1e-7;
 
 /// A dictionary is recomputed if its values violate w = q + M z + d z₀ in some row by more than this fraction of the terms of the row.
 ///
-/// Up to this violation, values larger than 1e-10 of their terms have the correct sign. With a smaller limit, long paths are refactorised again and
-/// again. With a larger limit, the computed path may visit other bases than the path in exact arithmetic.
+/// Violations up to this fraction leave about ten correct digits, so in well-conditioned bases only values near zero may have the wrong sign. With a
+/// smaller limit, long paths are refactorised again and again. With a larger limit, the computed path may visit other bases than the path in exact
+/// arithmetic.
 pub(super) const DRIFTED: f64 = 1e-10;
 
 /// This fraction of the largest |q_i| is added to the terms of every row when the drift of the dictionary, its violation of w = q + M z + d z₀, is
 /// measured.
 ///
-/// Without this addition, the violation of a row whose terms are all rounding errors would be as large as the terms, and would count as drift. With a
+/// If nothing were added, the violation of a row whose terms are all rounding errors would be as large as the terms, and would count as drift. With a
 /// smaller fraction, such rows cause refactorisations that do not help. With a larger fraction, drift in rows of small terms is not noticed.
 pub(super) const DRIFT_FLOOR: f64 = 1e-3;
 
@@ -53,12 +53,14 @@ pub(super) const DRIFT_FLOOR: f64 = 1e-3;
 /// fraction, more such z_j stay in the basis with their noise.
 pub(super) const RETIRING_PIVOT: f64 = 1e-5;
 
-/// A pivot below this fraction of the entry or column from which it was computed counts as a rounding error of zero. In a recomputed dictionary the
-/// basis is then singular; in the P-matrix test a principal minor is not positive.
+/// A pivot counts as zero if it is at most this fraction of a number from which it was computed. When a dictionary is recomputed, this number is the
+/// largest entry of the balanced column of M, and the basis is then singular. In the P-matrix test the number is the diagonal entry of M, and a
+/// principal minor is then not positive.
 ///
-/// Pivots are chosen by exchanges of rows alone, and up to twelve Schur complements follow each other, so the limit allows for about fifty roundings.
-/// With a smaller limit, singular bases are accepted and give values of 1e15, and singular matrices count as P-matrices. With a larger limit, bases
-/// of condition 1e14 are refused although refinement would give a solution, and so are P-matrices close to singular.
+/// The fraction is about fifty rounding errors. A pivot is the result of many eliminations: of one for each variable of the basis, with exchanges of
+/// rows alone, or of up to twelve in the P-matrix test. With a smaller limit, singular bases are accepted and give values of 1e15, and singular
+/// matrices count as P-matrices. With a larger limit, bases of condition 1e14 are refused although refinement leads to a solution, and so are
+/// P-matrices close to singular.
 pub(super) const ELIMINATED_PIVOT: f64 = 1e-14;
 
 /// A point whose residuals are larger than rounding errors is accepted only if it solves the problem exactly for some q′ close to q. In balanced rows
@@ -68,23 +70,24 @@ pub(super) const ELIMINATED_PIVOT: f64 = 1e-14;
 /// smaller fraction, good points of ill-conditioned problems are refused. With a larger fraction, points that do not depend on q are accepted.
 pub(crate) const BACKWARD_ERROR: f64 = 1e-6;
 
-/// A point does not depend on q, up to rounding, if q is below this fraction of the terms of M z in every row. The fraction is about 1e5 rounding
+/// A point does not depend on q, up to rounding, if q is below this fraction of the terms of M z in every row. The fraction is about 5e4 rounding
 /// errors.
 ///
-/// A singular basis whose determinant is computed as 1e-16 gives a z of 1e14. Up to rounding, this z satisfies 0 ≤ z ⟂ M z + q ≥ 0 for every q.
-/// Problems of condition 1e10 are not affected; with a larger fraction they would be refused.
+/// A singular basis has a pivot that is computed as some 1e-16 to 1e-14 instead of zero. It gives a z of at least 1e14, beside which every q of
+/// magnitude 1 is rounding. Problems of condition 1e10 have a q of 1e-10 of the terms and are not affected; if the fraction were larger, they would
+/// be refused.
 pub(crate) const LOST: f64 = 1e-11;
 
 /// The equations for the balancing exponents (exponents of two) count as solved when their residual is below this number.
 ///
-/// Equal rows must get equal factors, or ties in the ratio test turn into near-ties. With a smaller limit, the iteration never converges. With a
-/// larger limit, such ties are separated.
+/// Equal rows must get equal factors, because otherwise ties in the ratio test turn into near-ties. With a smaller limit, the iteration never
+/// converges. With a larger limit, such ties are separated.
 pub(super) const BALANCED_EXPONENTS: f64 = 1e-13;
 
 /// Bound on the rounding error of a sum of n products and two further operations, relative to Σ|terms|: 8 (n + 2) ε.
 ///
-/// The worst case for exact factors is (n + 2) ε/2, but a factor such as an entry of a Farkas vector is itself rounded. With a larger bound, vectors
-/// that prove nothing are accepted as proofs.
+/// For exact factors the worst case is (n + 2) ε/2. The bound is 16 times larger, since factors such as the entries of a Farkas vector are themselves
+/// rounded. With a larger bound, vectors that prove nothing are accepted as proofs.
 pub(super) fn sum_rounding(n: usize) -> f64 {
     8.0 * (n as f64 + 2.0) * f64::EPSILON
 }
@@ -109,8 +112,8 @@ pub(super) fn elimination_rounding(n: usize) -> f64 {
 /// With a larger limit, a call takes minutes. With a smaller limit, some problems remain undecided.
 pub(super) const MOST_ENUMERATED: usize = 20;
 
-/// The largest number of rows for which all vertices of a problem are tried: points where as many inequalities are equations as there are unknowns
-/// (see `vertices`). Six rows give at most a few thousand vertices.
+/// The largest number of rows for which all vertices of a problem are tried. At a vertex as many inequalities are equations as there are unknowns.
+/// Six rows give at most a few thousand vertices.
 ///
 /// With a larger limit, the vertices cost more than the linear programs that they replace.
 pub(super) const MOST_ROWS_WITH_VERTICES: usize = 6;
@@ -132,6 +135,6 @@ pub(super) const BOUND_ROUNDING: f64 = 1e-14;
 
 /// Magnitude of the terms of a row below which products may have underflowed or lost digits. Such rows are summed again without rounding.
 ///
-/// It is 2¹¹⁴ times the smallest double, so that underflow of a product is negligible in rows with larger terms. With a larger limit, more rows are
-/// summed twice.
+/// It is 2¹¹⁴ times 2⁻¹⁰⁷⁴, the smallest positive double, so that underflow of a product is negligible in rows with larger terms. With a larger
+/// limit, more rows are summed twice.
 pub(super) const FAINT_ROW: f64 = 1.03e-289;

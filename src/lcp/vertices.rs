@@ -4,8 +4,8 @@
 //! not empty, it has a vertex: a point where k components of M z + q are zero and at most k entries of z are nonzero.
 //!
 //! A Farkas vector is a y ≥ 0 with Mᵀy ≤ 0 and qᵀy < 0. It proves that no z ≥ 0 satisfies M z + q ≥ 0. The vectors y ≥ 0 with Mᵀy ≤ 0 form a cone,
-//! and if Farkas vectors exist, some edge of this cone is one. Each vertex or edge is the solution of a small regular system, whose rows and columns
-//! are scaled for this system alone.
+//! and if Farkas vectors exist, some extreme ray of this cone is one. Each vertex or extreme ray is the solution of a small regular system, whose
+//! rows and columns are scaled for this system alone.
 
 use super::farkas::cleaned;
 use super::linear_program::MARGINS;
@@ -35,15 +35,15 @@ pub(super) fn of_piece<'a>(lcp: &'a Lcp, alpha: &'a [usize]) -> impl Iterator<It
     })
 }
 
-/// A Farkas vector, found among the edges of the cone { y ≥ 0, Mᵀy ≤ 0 }. It is the edge as computed, or this vector moved into the cone by a margin
-/// that covers rounding. `None` if no edge gives an exact proof.
+/// A Farkas vector, found among the extreme rays of the cone { y ≥ 0, Mᵀy ≤ 0 }. It is the ray's direction as computed, or this vector moved into the
+/// cone by a margin that covers rounding. `None` if no extreme ray gives an exact proof.
 pub(super) fn farkas(lcp: &Lcp, scaling: &Scaling) -> Option<DVector<f64>> {
     let n = lcp.len();
     let (m, q) = scaling.balanced(&lcp.m, &lcp.q);
     let size_of_q = if q.amax() > 0.0 { q.amax() } else { 1.0 };
     subsets(n).filter(|rows| !rows.is_empty()).find_map(|rows| {
         let k = rows.len();
-        // An edge y is determined by the positions of its k nonzero entries, and by k − 1 columns of [M, q] whose products with y vanish.
+        // An extreme ray y is determined by the positions of its k nonzero entries, and by k − 1 columns of [M, q] whose products with y vanish.
         subsets(n + 1).filter(|columns| columns.len() + 1 == k).find_map(|columns| {
             let column = |j: usize, row: usize| if j < n { m[(row, j)] } else { q[row] / size_of_q };
             MARGINS.into_iter().find_map(|margin| {
@@ -85,13 +85,13 @@ fn without_single_entries(block: &DMatrix<f64>, rhs: &DVector<f64>) -> Option<DV
     value.is_finite().then(|| x.insert_row(j, value))
 }
 
-/// All subsets of 0 … count − 1, in order of increasing size.
+/// All subsets of 0 … count − 1, in order of increasing number of elements.
 fn subsets(count: usize) -> Subsets {
     Subsets { count, size: 0, bits: 0 }
 }
 
-/// Iterator over subsets: all subsets of one size, then those of the next size. `bits` encodes the next set to be tested: bit i is 1 if i belongs
-/// to it. Only sets of the current size are returned.
+/// Iterator over subsets: all subsets of `size` elements, then those of one element more. `bits` encodes the next set to be tested: bit i is 1 if i
+/// belongs to it. Only sets of `size` elements are returned.
 struct Subsets {
     count: usize,
     size: usize,

@@ -1,5 +1,5 @@
-//! Memory for solving many problems, reused from problem to problem. A dictionary is the condensed tableau of one basis. The problem is
-//! 0 ≤ z ⟂ w = M z + q ≥ 0.
+//! Scratch buffers of the solver, used again from problem to problem. A dictionary is the condensed tableau of one basis. The problem is 0 ≤ z ⟂ w =
+//! M z + q ≥ 0.
 
 use super::basis::Basis;
 use super::dictionary::LemkeVariable;
@@ -11,10 +11,10 @@ use super::residuals::Residuals;
 use super::solution::SolutionView;
 use crate::prelude::*;
 
-/// Memory of the solver that is reused from problem to problem.
+/// Scratch buffers of the solver: vectors that are used again from problem to problem.
 ///
 /// Once a workspace has solved a problem, it allocates nothing for other problems that are no larger. Only problems whose first path of Lemke's
-/// method finds no solution need more memory.
+/// method finds no solution need further allocations.
 ///
 /// ```
 /// use grasp_lcp::lcp::{Lcp, OutcomeView, Settings, Workspace};
@@ -48,7 +48,7 @@ pub struct Workspace {
 }
 
 impl Workspace {
-    /// A workspace without allocated memory.
+    /// A workspace whose buffers are empty.
     #[must_use]
     pub fn new() -> Self {
         Self::default()
