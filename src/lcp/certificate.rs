@@ -21,7 +21,7 @@ pub(super) fn ray(lcp: &Lcp, path: &LemkePath, entering: LemkeVariable) -> Optio
     if let LemkeVariable::Z(e) = entering {
         rates[e] = 1.0;
     }
-    // Entries of the ray up to this magnitude, and negative entries, result from rounding and count as zero. A negative entry would invalidate a
+    // Entries of the ray up to this magnitude, and negative entries, result from rounding and count as zero. A vector with a negative entry is no
     // proof by Farkas' lemma.
     let noise = SOLVED_ROUNDING * largest(&path.dictionary.u).max(1.0);
     for (basic, u) in path.dictionary.basic.iter().zip(&path.dictionary.u) {

@@ -1,4 +1,4 @@
-//! Computes the point z of the complementary basis at the end of a path, refines z, and computes the residuals of z from the given M and q. The
+//! The end of a path: the point z of the complementary basis is computed and refined, and its residuals are computed from the given M and q. The
 //! problem is 0 ≤ z ⟂ w = M z + q ≥ 0. α is the set of the i with z_i basic.
 
 use super::dictionary::LemkeVariable;
@@ -83,8 +83,8 @@ impl Workspace {
     /// Marks each basic z_j that is zero up to rounding.
     ///
     /// One of two tests must hold. First, z_j is at most [`ZERO_VALUE`] times the magnitude of the terms from which it was computed. Second, z_j is
-    /// at most [`ZERO_VALUE`] times the largest entry of z, and the residuals stay at the level of rounding errors if all entries this small are set
-    /// to zero. The second test finds entries that were computed from noise alone.
+    /// at most [`ZERO_VALUE`] times the largest entry of z. The residuals must then stay at the level of rounding errors if all entries below this
+    /// limit are set to zero. The second test finds entries that were computed from noise alone.
     fn mark_vanishing(&mut self, lcp: &Lcp) {
         let n = lcp.len();
         refill(&mut self.vanishing, n, false);
@@ -126,8 +126,8 @@ impl Workspace {
         }
     }
 
-    /// At most three steps of iterative refinement of the point, until its residuals are at the level of rounding errors or a step does not halve the
-    /// largest residual. Keeps the point with the smallest largest residual and returns its residuals.
+    /// Refines the point by at most three steps. Refinement ends earlier if the residuals are at the level of rounding errors, or if a step does not
+    /// halve the largest residual. Keeps the point with the smallest largest residual and returns its residuals.
     fn refine(&mut self, lcp: &Lcp, mut residuals: Residuals) -> Residuals {
         let n = lcp.len();
         // Each refinement step costs O(n²); already the third step rarely gains anything.

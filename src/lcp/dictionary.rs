@@ -147,8 +147,8 @@ impl Dictionary {
         largest(&self.source_column)
     }
 
-    /// Writes into `effect` the changes of the basic variables if r is added to the right-hand side q. They are computed like the column of an
-    /// entering variable (equation (1) at the top of the file), with r in place of a column of M.
+    /// Writes into `effect` the changes of the basic variables if r is added to the right-hand side q. They are computed by equation (1) of the head,
+    /// with r in place of a column of M.
     pub(super) fn effect(&mut self, r: &[f64], effect: &mut [f64]) {
         self.source_column[..self.n].copy_from_slice(r);
         self.spread();
@@ -176,8 +176,8 @@ impl Dictionary {
 
     /// Sets to zero those entries of the entering column `u` that are only noise: rounding alone may have produced them.
     ///
-    /// In a column that was computed as a sum (equation (1) at the top of the file), an entry is noise if it is below `tolerance` times the magnitude
-    /// of its terms. In the stored column of a slack, an entry is noise if it is below [`STORED_ROUNDING`] (64 ε, ε = 2⁻⁵²) times the largest entry.
+    /// In a column that was computed as a sum by equation (1) of the head, an entry is noise below `tolerance` times the magnitude of its terms. In
+    /// the stored column of a slack, an entry is noise below [`STORED_ROUNDING`] (64 ε, ε = 2⁻⁵²) times the largest entry.
     pub(super) fn clear_noise(&mut self, entering: LemkeVariable, tolerance: f64) {
         if let LemkeVariable::W(_) = entering {
             let rounding = STORED_ROUNDING * largest(&self.u);
@@ -259,7 +259,7 @@ impl Dictionary {
         wide(Update { columns: &mut self.columns, n: self.n, g: &self.g, u: &self.u });
     }
 
-    /// Exchanges z_j, basic in row r, with w_j. Nothing is changed if w_j is basic too, or if the pivot is so small that it would amplify rounding
+    /// Exchanges z_j, basic in row r, with w_j. Nothing is changed if w_j is basic too, or if the pivot is so small that it amplifies rounding
     /// errors. A pivot is too small below [`RETIRING_PIVOT`] (1e-5) times the largest entry of its column, which counts as at least 1.
     pub(super) fn retire(&mut self, j: usize, r: usize, scaling: &Scaling, m: &[f64]) {
         if !self.is_active(j) {

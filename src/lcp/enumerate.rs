@@ -14,7 +14,7 @@ use crate::numerics::{Each, chosen, matrix_of, vector_of};
 use crate::prelude::*;
 use nalgebra::DVector;
 
-/// The solutions found by trying all complementary bases; see [`Lcp::all_solutions`].
+/// The solutions found by trying all complementary bases ([`Lcp::all_solutions`]).
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct AllSolutions {

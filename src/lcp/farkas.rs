@@ -1,8 +1,9 @@
 //! Proofs by Farkas' lemma, without rounding, that no z ≥ 0 satisfies M z + q ≥ 0.
 //!
-//! A vector y ≥ 0 with Mᵀy ≤ 0 and qᵀy < 0 is such a proof, since z ≥ 0 and M z + q ≥ 0 would imply yᵀ(M z + q) ≥ 0. A computed y, from a path or a
-//! linear program, is rounded, which invalidates the proof where (Mᵀy)_j must be exactly zero. The entries of the exact y usually have the ratios of
-//! small integers, so integers are tried as entries. Where the exact (Mᵀy)_j may be negative, a linear program with a margin δ requires (Mᵀy)_j ≤ −δ.
+//! A vector y ≥ 0 with Mᵀy ≤ 0 and qᵀy < 0 is such a proof: z ≥ 0 and M z + q ≥ 0 imply yᵀ(M z + q) ≥ 0, but yᵀ(M z + q) = (Mᵀy)ᵀz + qᵀy < 0. A
+//! computed y, from a path or a linear program, is rounded, which invalidates the proof where (Mᵀy)_j must be exactly zero. The entries of the exact
+//! y usually have the ratios of small integers, so integers are tried as entries. Where the exact (Mᵀy)_j may be negative, a linear program with a
+//! margin δ requires (Mᵀy)_j ≤ −δ.
 
 use core::cmp::Ordering;
 
@@ -164,8 +165,8 @@ pub(super) fn cleaned(y: &DVector<f64>) -> impl Iterator<Item = DVector<f64>> {
     all.into_iter()
 }
 
-/// The integer vector whose entries have the ratios of the entries of y up to `rounding`; `None` if its entries would exceed [`LARGEST_WHOLE`]. The
-/// common denominator is built entry by entry, each time multiplied by the smallest factor that makes the entry an integer.
+/// The integer vector whose entries have the ratios of the entries of y up to `rounding`; `None` if they exceed [`LARGEST_WHOLE`]. The common
+/// denominator is built entry by entry, each time multiplied by the smallest factor that makes the entry an integer.
 fn whole_within(y: &DVector<f64>, rounding: f64) -> Option<DVector<f64>> {
     let largest = y.amax();
     let mut denominator = 1.0;

@@ -1,8 +1,9 @@
-//! Lemke's method. A dictionary is the condensed tableau of one basis. d is the covering vector, z₀ the covering variable. A basis is infeasible if
-//! some basic variable is negative. Noise is a value that rounding alone may have produced.
+//! Lemke's method. The augmented problem w = q + M z + d z₀, with a covering vector d and a covering variable z₀, has a path of points with w_i z_i =
+//! 0 for all i. The path is followed from z = 0 with large z₀ until z₀ = 0. The next entering variable is always the complement of the variable that
+//! left last (Cottle, Pang & Stone, algorithm 4.4.5).
 //!
-//! The augmented problem w = q + M z + d z₀ has a path of points with w_i z_i = 0 for all i. The path is followed from z = 0 with large z₀ until
-//! z₀ = 0. The next entering variable is always the complement of the variable that left last (Cottle, Pang & Stone, algorithm 4.4.5).
+//! A dictionary is the condensed tableau of one basis. A basis is infeasible if some basic variable is negative. Noise is a value that rounding alone
+//! may have produced.
 
 use super::dictionary::{LemkeVariable, largest};
 use super::outcome::BreakdownCause;
@@ -87,9 +88,9 @@ impl LemkePath {
 
     /// The row whose basic variable first reaches zero as `entering` increases; `None` if no basic variable reaches zero.
     ///
-    /// The dictionary is first recomputed if it has drifted from M, q and d by rounding, if the column of `entering` has overflowed, or if no row
-    /// offers a pivot. It is also recomputed for a pivot below [`DOUBTFUL_PIVOT`] times the largest entry of its column, unless one step of
-    /// refinement changes the column by at most the fraction [`DRIFTED`].
+    /// The dictionary is first recomputed in three cases: rounding has made it drift from M, q and d; the column of `entering` has overflowed; or no
+    /// row offers a pivot. It is also recomputed for a pivot below [`DOUBTFUL_PIVOT`] times the largest entry of its column. In this case one step of
+    /// refinement suffices if it changes the column by at most the fraction [`DRIFTED`].
     pub(super) fn blocking_row(
         &mut self,
         entering: LemkeVariable,

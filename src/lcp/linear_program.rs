@@ -109,7 +109,7 @@ fn least_violation(
     settings: &Settings,
 ) -> Option<LinearProgram> {
     let columns = a.ncols();
-    // For a column of zeros, the cost −δ would make the program unbounded, so such a column has cost 0.
+    // If a column of zeros had the cost −δ, the program would be unbounded; such a column has the cost 0.
     let cost = |j: usize| match j {
         j if j == columns => 1.0,
         j if a.column(j).iter().all(|a| *a == 0.0) => 0.0,

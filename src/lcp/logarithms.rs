@@ -15,15 +15,15 @@ const MULTIPLIED: usize = 512;
 pub(super) struct Logarithms {
     pub(super) sum: Vec<f64>,
     pub(super) count: Vec<f64>,
-    /// For each row or column, the sum of the biased binary exponents of its entries in the lower 32 bits, and the number of entries in the
-    /// upper 32 bits.
+    /// For each row or column, two numbers in one. The lower 32 bits hold the sum of the biased binary exponents of its entries, the upper 32 bits
+    /// the number of entries.
     exponents: Vec<u64>,
     mantissas: Vec<f64>,
 }
 
 impl Logarithms {
     /// The sums over the rows and over the columns of the n × n matrix m, stored by columns. Logarithms are taken only of products of mantissas,
-    /// since a logarithm of every entry would be slow.
+    /// since taking a logarithm of every entry is slow.
     pub(super) fn of(n: usize, m: &[f64], rows: &mut Self, columns: &mut Self) {
         rows.reset(n);
         columns.reset(n);

@@ -50,8 +50,8 @@
 //! z_i and w_i have the units that follow from M and q. Rows and columns of M are balanced first, by powers of two, so that the path does not
 //! depend on units (A. R. Curtis and J. K. Reid, *On the automatic scaling of matrices for Gaussian elimination*, 1972).
 //!
-//! If several variables reach zero together, the lexicographic rule (section 4.9) chooses the variable that leaves: the variable that would reach
-//! zero first with q + ε p in place of q, ε → 0+. The vector p is fixed and generic. With this rule no path returns to an earlier basis.
+//! If several variables reach zero together, the lexicographic rule (section 4.9) chooses the variable that leaves: the one that reaches zero first
+//! if q is replaced by q + ε p, ε → 0+. The vector p is fixed and generic. With this rule no path returns to an earlier basis.
 //!
 //! A pivot costs O(n²) flops. The path needs scratch buffers of O(n²) numbers in addition to M. A [`Workspace`] or a [`Series`] keeps them from
 //! problem to problem.

@@ -139,8 +139,8 @@ impl<S: fmt::Display> fmt::Display for Outcome<S> {
 
 /// A vector y (n entries) that proves by Farkas' lemma that no z ≥ 0 satisfies M z + q ≥ 0: y ≥ 0, Mᵀy ≤ 0 and qᵀy < 0.
 ///
-/// Such a z would imply yᵀ(M z + q) ≥ 0, in contradiction to these conditions. [`Lcp::proves_infeasible`](super::Lcp::proves_infeasible) checks
-/// y without rounding.
+/// For such a z both yᵀ(M z + q) ≥ 0 and yᵀ(M z + q) = (Mᵀy)ᵀz + qᵀy < 0, a contradiction. [`Lcp::proves_infeasible`](super::Lcp::proves_infeasible)
+/// checks y without rounding.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 #[non_exhaustive]

@@ -58,7 +58,7 @@ pub enum PathEnd {
     PivotLimit,
     /// The path of solutions could not be followed further in double precision.
     Breakdown(BreakdownCause),
-    /// No solution is known at τ = 0, where the path would start.
+    /// No solution is known at τ = 0, where the path has to start.
     NoStart,
 }
 

@@ -1,7 +1,7 @@
-//! Lemke's path through the dictionaries of one problem: each pivot leads from one dictionary to the next. The path is computed in a balanced
-//! problem, whose rows and columns are scaled by powers of two, so that nonzero entries of M lie near 1. A dictionary is the condensed tableau of one
-//! basis; in the slack basis all slacks w_i are basic. The problem is 0 ≤ z ⟂ w = M z + q ≥ 0. On the path w = M z + q + d z₀ with a covering
-//! variable z₀ ≥ 0; the path ends in a solution once z₀ is zero.
+//! Lemke's path through the dictionaries of one problem 0 ≤ z ⟂ w = M z + q ≥ 0. A dictionary is the condensed tableau of one basis; each pivot leads
+//! from one dictionary to the next. On the path w = M z + q + d z₀ with a covering vector d and a covering variable z₀ ≥ 0. The path ends in a
+//! solution once z₀ is zero. It is computed in a balanced problem: rows and columns are scaled by powers of two, so that nonzero entries of M lie
+//! near 1. In the slack basis all slacks w_i are basic.
 
 use super::dictionary::{Dictionary, LemkeVariable};
 use super::memory::{make_room, refill};

@@ -116,7 +116,7 @@ pub(super) fn doubtful_row_breaks(
 /// (negative x_i count as 0), and u_i its change per unit step. `least` is zero or negative: a u_i between `least` and zero may be noise, so
 /// that row i does not count.
 ///
-/// The loop has no branches, since a processor would predict half of them wrongly.
+/// The loop has no branches. If it had, a processor would predict many of them wrongly.
 struct ShortestStep<'a> {
     x: &'a [f64],
     u: &'a [f64],

@@ -1,7 +1,7 @@
 //! Recomputation of dictionaries from M, q and d of w = q + M z + d z₀: measurement of drift by rounding, refactorisation of the current basis, and
 //! factorisation of another basis. A dictionary is the condensed tableau of one basis. d is the covering vector, z₀ the covering variable. Rows and
-//! columns of M are balanced: scaled by factors, powers of two, so that nonzero entries lie near 1. A perturbation p breaks ties of the ratio test as
-//! if the right-hand side were q + ε p with ε → 0+.
+//! columns of M are balanced: scaled by powers of two, so that nonzero entries lie near 1. A perturbation p breaks ties of the ratio test as if the
+//! right-hand side were q + ε p with ε → 0+.
 
 use super::dictionary::{LemkeVariable, largest};
 use super::memory::refill;
@@ -12,9 +12,9 @@ use super::tolerances::{DRIFT_FLOOR, ELIMINATED_PIVOT};
 use crate::numerics::generic;
 
 impl LemkePath {
-    /// Drift of the basic values, which rounding causes from pivot to pivot. It is the largest violation of w = q + M z + d z₀ in any row, divided by
-    /// the magnitude of the terms of this row plus [`DRIFT_FLOOR`] (1e-3) times the largest |q_i|. If nothing were added, rows whose terms are all
-    /// rounding errors would have a large drift.
+    /// Drift of the basic values, which rounding causes from pivot to pivot. It is the largest violation of w = q + M z + d z₀ in any row, relative
+    /// to a reference of this row. The reference is the magnitude of the terms of the row plus [`DRIFT_FLOOR`] (1e-3) times the largest |q_i|. If
+    /// nothing were added, rows whose terms are all rounding errors would have a large drift.
     pub(super) fn drift(&mut self, m: &[f64]) -> f64 {
         self.compute_defect(m);
         let floor = DRIFT_FLOOR * largest(&self.q);

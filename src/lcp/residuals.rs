@@ -56,8 +56,8 @@ impl fmt::Display for Residuals {
     }
 }
 
-/// Whether a point with these residuals also solves, up to rounding, a problem with a very different q, for example because z is so large that q
-/// vanishes beside M z. Such a point does not count as a solution. `terms` holds a_i = |q_i| + Σ_j |M_ij| |z_j| for each row i, and `row` the
+/// Whether a point with these residuals also solves, up to rounding, a problem with a very different q. It does so, for example, if z is so large
+/// that q vanishes beside M z. Such a point does not count as a solution. `terms` holds a_i = |q_i| + Σ_j |M_ij| |z_j| for each row i, and `row` the
 /// factors, powers of two, that balance the rows.
 pub(super) fn ignores_q(residuals: Residuals, q: &[f64], terms: &[f64], row: &[f64]) -> bool {
     let balanced = |v: &[f64]| v.iter().zip(row).fold(0.0_f64, |size, (v, row)| size.max(v.abs() * row));

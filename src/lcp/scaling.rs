@@ -11,8 +11,8 @@
 //! The data are multiplied only by powers of two, which causes no rounding and preserves ties. Each ρ_i is therefore rounded to an integer. The
 //! factor that row i lacks as a result becomes entry i of the covering vector d, which need not consist of powers of two.
 //!
-//! Ties are also the reason for solving the least-squares problem to rounding. Equal rows must get equal entries of the covering vector d. Nearly
-//! equal entries would turn ties into ill-conditioned near-ties.
+//! Ties are also the reason for solving the least-squares problem to rounding. Equal rows must get equal entries of the covering vector d. If the
+//! entries were only nearly equal, ties would turn into ill-conditioned near-ties.
 
 use super::logarithms::Logarithms;
 use super::memory::refill;

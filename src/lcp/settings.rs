@@ -32,9 +32,9 @@ pub struct Settings {
     /// Lemke's path starts at z = 0 with z₀ so large that q + d z₀ ≥ 0, and ends when z₀ reaches zero. Every entry of d must be finite and
     /// nonnegative, and positive where q is negative; otherwise the solve ends in [`Outcome::Breakdown`](super::Outcome::Breakdown).
     ///
-    /// Another d gives another path. It may end in another solution and, for matrices on which Lemke's method is not guaranteed to succeed, in a ray
-    /// although the path of the default d finds a solution. `None` means the vector of ones after rows and columns have been scaled such that nonzero
-    /// entries of M lie near 1. This makes the path independent of the units of rows, columns and q.
+    /// Another d gives another path, which may end in another solution. For matrices on which Lemke's method is not guaranteed to succeed, it may
+    /// also end in a ray although the path of the default d finds a solution. `None` means the vector of ones after rows and columns have been scaled
+    /// such that nonzero entries of M lie near 1. This makes the path independent of the units of rows, columns and q.
     pub covering: Option<DVector<f64>>,
     /// Limit on the number of pivots. A solve that reaches a given limit ends with [`Outcome::PivotLimit`](super::Outcome::PivotLimit).
     ///
@@ -53,9 +53,9 @@ pub struct Settings {
     /// elimination. If the tolerance is below 1e-14, rounding errors become pivots, and a path that should end in a ray continues to wrong bases. If
     /// it is above 1e-6, true blocking rows of ill-conditioned problems are overlooked.
     pub pivot_tolerance: f64,
-    /// A basic variable counts as zero after a step of the entering variable if its remaining value is at most this fraction of its decrease in the
-    /// step (default 1e-12). Variables that are zero in this sense after the shortest step tie. A value below its own rounding error counts as zero
-    /// in any case.
+    /// After a step of the entering variable, a basic variable counts as zero if its value is at most this fraction of its decrease in the step
+    /// (default 1e-12). Variables that are zero in this sense after the shortest step tie. A value below its own rounding error counts as zero in any
+    /// case.
     ///
     /// The tolerance is needed by the tie rule: rows that tie in exact arithmetic must be recognised as ties although rounding separates them. If the
     /// tolerance is 0, exact ties may be missed, and if z₀ then does not leave, the path of a solvable problem continues into a ray. If it is above

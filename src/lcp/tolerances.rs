@@ -25,8 +25,8 @@ pub(super) const SOUND_RESIDUAL: f64 = 1e-13;
 /// of this magnitude. With a smaller limit, noise becomes a pivot. With a larger limit, true small pivots are overlooked.
 pub(super) const STORED_ROUNDING: f64 = 64.0 * f64::EPSILON;
 
-/// A pivot below this fraction of the largest entry of its column is accepted only if the dictionary was recently recomputed from M and q, or if the
-/// entering column was refined.
+/// A pivot below this fraction of the largest entry of its column is doubtful. It is accepted only if the dictionary was just recomputed from M, q
+/// and d, or if the entering column was refined.
 ///
 /// A pivot that is 1e-7 of its column multiplies the errors of all entries by 1e7, so seven of the sixteen digits are lost. With a larger limit,
 /// dictionaries are recomputed, at O(n³), although they are accurate. With a smaller limit, pivots are made on noise.
@@ -39,18 +39,18 @@ pub(crate) const DOUBTFUL_PIVOT: f64 = 1e-7;
 /// arithmetic.
 pub(super) const DRIFTED: f64 = 1e-10;
 
-/// This fraction of the largest |q_i| is added to the terms of every row when the drift of the dictionary, its violation of w = q + M z + d z₀, is
-/// measured.
+/// The drift of a dictionary is its violation of w = q + M z + d z₀, relative to the terms of the row. This fraction of the largest |q_i| is added to
+/// the terms of every row.
 ///
 /// If nothing were added, the violation of a row whose terms are all rounding errors would be as large as the terms, and would count as drift. With a
 /// smaller fraction, such rows cause refactorisations that do not help. With a larger fraction, drift in rows of small terms is not noticed.
 pub(super) const DRIFT_FLOOR: f64 = 1e-3;
 
-/// A basic z_j that is zero up to rounding is removed from the basis only if the pivot is at least this fraction of the largest entry of the pivot
+/// A basic z_j that is zero up to rounding is removed from the basis by a pivot. The pivot must be at least this fraction of the largest entry of its
 /// column.
 ///
-/// Removal keeps the noise of z_j out of the other values, but a small pivot would amplify the rounding errors of those values. With a larger
-/// fraction, more such z_j stay in the basis with their noise.
+/// Removal keeps the noise of z_j out of the other values, but a small pivot amplifies the rounding errors of those values. With a larger fraction,
+/// more such z_j stay in the basis with their noise.
 pub(super) const RETIRING_PIVOT: f64 = 1e-5;
 
 /// A pivot counts as zero if it is at most this fraction of a number from which it was computed. When a dictionary is recomputed, this number is the

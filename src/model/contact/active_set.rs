@@ -60,7 +60,7 @@ impl ActiveSet {
                 self.facets.push(exit.facet);
             }
         }
-        // If the force is on as many facets as the contact frame has axes, it is at the apex, the only common point of these facets.
+        // If the force is on as many facets as the contact frame has axes, it is at the apex, their only common point.
         self.apex |= self.facets.len() >= axes;
     }
 }

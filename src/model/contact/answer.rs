@@ -111,7 +111,7 @@ impl LocalLaw<'_> {
         ContactResponse { state, force }
     }
 
-    /// The state at the trial force `K v`, the elastic force that a stretch v would cause without opening or slip.
+    /// The state at the trial force `K v`, the elastic force of a contact that is stretched by v and neither opens nor slips.
     #[inline]
     fn state_on_polygon(&self, facets: &[SVector<f64, 3>], trial: &SVector<f64, 3>) -> State {
         if trial[0] <= 0.0 && self.may_open() {
@@ -192,9 +192,8 @@ fn slip_per_force(springs: &Compliance, trial: &SVector<f64, 3>, traction: f64, 
     // A starting λ above 1e100 times the compliance of the stiffest spring is replaced by zero. With such a λ the squares of the softened stiffnesses
     // would underflow, and Newton's steps could not lead back to the root.
     let mut lambda = if near * springs.stiffest() < 1e100 { near } else { 0.0 };
-    // λ is at least 0 if the traction is at least r. For a shorter traction λ would be negative (slip against the friction force). Its lower bound is
-    // then the λ at which the softer spring alone would have the force r. The bound must also exceed -1/k of the stiffer spring, where 1 + λk
-    // vanishes.
+    // λ is at least 0 if the traction is at least r. For a shorter traction λ is negative (slip against the friction force). Its lower bound is then
+    // the λ at which the softer spring alone has the force r. The bound must also exceed -1/k of the stiffer spring, where 1 + λk vanishes.
     let [soft, stiff] = springs.tangential_range();
     // The iteration stops when λ changes by at most this fraction. The lower bound of λ keeps the same relative distance from the pole at -1/k of the
     // stiffer spring.

@@ -1,5 +1,5 @@
 //! Upper bound, in closed form, of the work of a contact along a virtual force and a virtual motion. A label restricts the states of the contact. The
-//! hull of a label is the convex cone of the stretches v and forces F that the label allows; a few generators span it (see `hull`).
+//! hull of a label is the convex cone of the stretches v and forces F that the label allows; a few generators span it.
 //!
 //! Let φ be the virtual force and u the virtual motion, and let `w(v, F) = φ·v + u·F` be the work. K is the diagonal matrix of the stiffnesses, K_t
 //! its tangential part, μ the coefficient of friction and c = K⁻¹φ. Indices n and t mark the normal and the tangential part of a vector. The work is

@@ -49,15 +49,14 @@ impl RelaxingSlide {
         }
         let (mut low, mut high) = (per_radius / k1.max(k2), per_radius / k1.min(k2));
         let mut s = per_radius / self.stiffness(start);
-        // Newton steps for s that would leave the interval from `low` to `high` are replaced by its halving. Sixty halvings would reduce the interval
-        // to rounding.
+        // If a Newton step for s leaves the interval from `low` to `high`, the interval is halved instead. Sixty halvings reduce it to rounding.
         for _ in 0..60 {
             let (p, integral) = self.split_step(start, s);
             let off = integral - per_radius;
             *(if off > 0.0 { &mut high } else { &mut low }) = s;
             let newton = s - off / self.stiffness(p);
             let next = if low <= newton && newton <= high { newton } else { 0.5 * (low + high) };
-            // The iteration ends when s changes by at most the fraction 1e-15, the level of rounding. A coarser limit would make the force a
+            // The iteration ends when s changes by at most the fraction 1e-15, the level of rounding. If the limit were coarser, the force would be a
             // discontinuous function of the stretch, which Newton's method for the motion of the object cannot use.
             let last = (next - s).abs() <= 1e-15 * s;
             s = next;
@@ -106,7 +105,8 @@ impl RelaxingSlide {
     /// The unit direction of the friction force after the path parameter has grown by s from the direction p. The tangential stretch is constant and
     /// the normal force changes.
     fn squeezed(&self, p: [f64; 2], s: f64) -> [f64; 2] {
-        // The exponent is clamped to this magnitude. Beyond it no digit of the previous direction would remain; up to it squares do not overflow.
+        // The exponent is clamped to this magnitude, up to which squares do not overflow. A larger exponent leaves no digit of the previous direction
+        // anyway.
         let far = 300.0;
         let y = (0.5 * self.growth * (self.tangential[1] - self.tangential[0]) * s).clamp(-far, far);
         let q = [p[0] * (-y).exp(), p[1] * y.exp()];

@@ -23,7 +23,8 @@ pub(crate) enum Resistance {
     /// The bound is this factor times the positive part of the normal stretch. The factor is in N/s if u is a velocity, in N if u is a virtual
     /// displacement.
     ByFriction(f64),
-    /// The power is exactly the dot product of this vector (N/s or N, as for `ByFriction`) and the stretch.
+    /// The power is exactly the dot product of this vector and the stretch. The vector is in N/s if u is a velocity, in N if u is a virtual
+    /// displacement.
     BySprings(SVector<f64, 3>),
     /// No bound: infinite friction can resist the motion without limit.
     Unlimited,

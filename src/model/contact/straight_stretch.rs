@@ -109,7 +109,7 @@ impl LocalLaw<'_> {
 
     /// State and force of a contact that slides along `direction` with the normal force `normal` and the friction limit r, N. The slip reduces the
     /// stiffness of the spring across the slip to the fraction `stiffness_fraction`. The fraction is clamped to the range from [`SOLVED_ROUNDING`] to
-    /// 1, since zero would give an infinite compliance.
+    /// 1, since the compliance is infinite at zero.
     fn sliding_at(
         &self,
         normal: f64,

@@ -233,8 +233,8 @@ impl<const C: usize> Contact<C> {
         self.kinetic.unwrap_or(self.friction)
     }
 
-    /// Sets the coefficient of static friction and scales the coefficient of kinetic friction in proportion. A kinetic coefficient that would become
-    /// zero or infinite is removed.
+    /// Sets the coefficient of static friction and scales the coefficient of kinetic friction in proportion. If the kinetic coefficient becomes zero
+    /// or infinite, it is removed.
     pub(crate) fn set_friction(&mut self, mu: f64) {
         let proportion = mu / self.friction;
         self.kinetic = self

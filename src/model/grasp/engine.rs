@@ -44,7 +44,7 @@ pub(crate) struct Engine {
 }
 
 impl Engine {
-    /// Validates the contacts of a single object that are moved by no joints, and makes their grasp; see [`Grasp::new`](crate::ask::Grasp::new).
+    /// Validates the contacts of a single object that are moved by no joints, and makes their grasp.
     pub(crate) fn new(contacts: Vec<Contact<3>>) -> Result<Self, Error> {
         refuse_sides(&contacts)?;
         let space = space_of(&contacts);
@@ -204,7 +204,7 @@ impl Engine {
         if self.linkage.is_some() { Err(Error::NotForHands { question }) } else { Ok(()) }
     }
 
-    /// Returns an error if a contact has kinetic friction. Called by computations that would give sliding contacts their static friction; `question`
+    /// Returns an error if a contact has kinetic friction. Called by computations that use static friction for sliding contacts, too; `question`
     /// names the computation in the message.
     pub(crate) fn refuse_kinetic(&self, question: &'static str) -> Result<(), Error> {
         match self.weaker_once_they_slide().next() {

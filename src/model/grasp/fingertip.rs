@@ -122,8 +122,7 @@ impl SoftFingertip<3> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Fingertip`] unless the radius is from 1e-50 to 1e50 and the points are from 3 (two
-    /// would tilt freely) to [`Self::MOST_POINTS`].
+    /// [`Error::Fingertip`] unless the radius is from 1e-50 to 1e50 and the points are from 3 (a ring of two tilts freely) to [`Self::MOST_POINTS`].
     pub fn ring(radius: f64, points: usize) -> Result<Self, Error> {
         Self::check_points(1, points)?;
         Self::of_rings(radius, &[Layer { distance: 1.0, weight: 1.0 }], points)
@@ -247,7 +246,7 @@ impl SoftFingertip<3> {
         Self::of_layers(width, &pressure.layers(Space::Planar, strips))
     }
 
-    /// The point contacts that replace `contact`, as in [`SoftFingertip::contacts`]; vectors have three components, also in the plane.
+    /// The point contacts that replace `contact` ([`SoftFingertip::contacts`]). Their vectors have three components, also in the plane.
     pub(crate) fn contacts_inside(&self, contact: &Contact<3>) -> Result<Vec<Contact<3>>, Error> {
         contact.check(0)?;
         let frame = contact.frame(0)?;
@@ -275,7 +274,7 @@ impl SoftFingertip<3> {
 }
 
 impl<const C: usize> SoftFingertip<C> {
-    /// Upper limit of the number of points. More points would resolve details that the fingertip model does not represent.
+    /// Upper limit of the number of points. A larger number resolves details that the fingertip model does not represent.
     pub const MOST_POINTS: usize = 4096;
 
     /// The point contacts that replace `contact`.

@@ -96,8 +96,8 @@ impl Engine {
         Motion { object: Twist::among(self.space, &outside), joints, bodies: self.body_motions(&outside) }
     }
 
-    /// Converts all coordinates to the user's units, in the same order. They belong to the object, the joints, the other bodies, and to the points
-    /// between the two springs that model a drive which yields at a constant force. A drive is the spring of a joint or tendon.
+    /// Converts all coordinates to the user's units, in the same order. They belong to the object, the joints and the other bodies. A drive (the
+    /// spring of a joint or tendon) that yields at a constant force is modelled by two springs; the point between them has a coordinate, too.
     pub(crate) fn outside_coordinates(&self, q: &Vector) -> Vector {
         self.space.moved_twist(&self.origin, &self.per_length(q.clone()))
     }

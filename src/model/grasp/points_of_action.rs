@@ -61,7 +61,6 @@ impl PointsOfAction {
         self.0.map(|sum| SMatrix::identity() * sum.trace() - (sum + sum.transpose()) * 0.5)
     }
 
-    /// Whether the points of action are known.
     #[inline]
     pub(crate) fn is_known(&self) -> bool {
         self.0.is_some()
@@ -84,7 +83,6 @@ impl<const C: usize> Wrench<C> {
         Self(self.0, points)
     }
 
-    /// The points of action of the forces of this wrench.
     pub(crate) fn points_of_action(&self) -> PointsOfAction {
         self.1
     }

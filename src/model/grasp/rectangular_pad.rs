@@ -60,9 +60,9 @@ impl SoftFingertip<3> {
         Ok(Self { radius: halves[0].hypot(halves[1]), points })
     }
 
-    /// Tilting stiffnesses about the first and about the second tangent, N m/rad: `k_n ⟨y²⟩` and `k_n ⟨x²⟩`. Here k_n is the normal stiffness, and x
-    /// and y are the coordinates of the points along the first and the second tangent. ⟨ ⟩ is the mean over all points, weighted by their fractions
-    /// of the stiffness. Both stiffnesses are equal for rings and discs.
+    /// Tilting stiffnesses about the first and about the second tangent, N m/rad: `k_n ⟨y²⟩` and `k_n ⟨x²⟩`. Here k_n is the normal stiffness. The
+    /// coordinates x and y of the points run along the first and the second tangent. The mean ⟨ ⟩ over all points is weighted by their fractions of
+    /// the stiffness. Both stiffnesses are equal for rings and discs.
     #[must_use]
     pub fn tilting_stiffnesses(&self, contact: &Contact<3>) -> [f64; 2] {
         [2, 1].each(|axis| contact.series_stiffness_of_axes()[0] * self.square(axis))

@@ -103,10 +103,10 @@ impl Site {
         }
     }
 
-    /// Adds to the grasp map how the contact moves with joints and other bodies. Each entry of `motions` has the index of a coordinate, counted after
-    /// the object's, and the displacement of the contact along x, y and z per unit of this coordinate. The displacements are divided by the reference
-    /// `lengths` of the coordinates, m, so that all coordinates are lengths. The contact force acts on the object with the factor `on_object`: 1, -1,
-    /// or 0 if it acts on other bodies only.
+    /// Adds to the grasp map how the contact moves with joints and other bodies. An entry of `motions` belongs to one coordinate: its index, counted
+    /// after the object's coordinates, and the displacement of the contact along x, y and z per unit of it. The displacements are divided by the
+    /// reference `lengths` of the coordinates, m, so that all coordinates are lengths. The contact force acts on the object with the factor
+    /// `on_object`: 1, -1, or 0 if it acts on other bodies only.
     pub(super) fn move_with(
         &mut self,
         space: Space,

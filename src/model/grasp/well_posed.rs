@@ -26,8 +26,8 @@ impl<const C: usize> Contact<C> {
             if let Some(hint) = &self.tangent {
                 let side = hint.dot(&t);
                 // A given tangent counts as parallel to the normal if its component across the normal is below the fraction `SOLVED_ROUNDING` of its
-                // length. Rounding turns a tangent by some 1e-16, and must not choose the sign of t. A much larger bound would reject tangents with a
-                // clear direction.
+                // length. Rounding turns a tangent by some 1e-16, and must not choose the sign of t. If the bound were much larger, tangents with a
+                // clear direction would be rejected.
                 if !side.is_finite() || side.abs() <= SOLVED_ROUNDING * hint.norm() {
                     return Err(fault(
                         Field::Tangent,
@@ -98,8 +98,8 @@ impl<const C: usize> Contact<C> {
         if self.friction != f64::INFINITY && !(is_moderate(self.friction) && self.friction >= 0.0) {
             return fault(Field::Friction, self.friction, "from 0 to 1e50, or infinite");
         }
-        // Kinetic friction below a millionth of static friction is refused: rounding would then dominate the direction of the friction force of a
-        // sliding contact.
+        // If kinetic friction is below a millionth of static friction, rounding dominates the direction of the friction force of a sliding contact.
+        // Such data are refused.
         if let Some(kinetic) = self.kinetic
             && !(kinetic > 0.0 && kinetic >= self.friction * 1e-6 && kinetic <= self.friction)
         {

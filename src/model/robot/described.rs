@@ -89,8 +89,8 @@ impl Robot {
     /// A robot from a URDF file, with all joints at zero.
     ///
     /// # Errors
-    /// [`Error::Robot`] if the file cannot be read or is not a URDF, if its joints form a loop, or for a joint that is not revolute, continuous,
-    /// prismatic or fixed.
+    /// [`Error::Robot`] if the file cannot be read or is not a URDF, or if its joints form a loop. The same error for a joint that is not revolute,
+    /// continuous, prismatic or fixed.
     pub fn read(path: impl AsRef<Path>) -> Result<Self, Error> {
         let path = path.as_ref();
         let named = |inner: String| fault(format!("{}: {inner}", path.display()));
@@ -194,7 +194,6 @@ fn shapes_of(link: &urdf_rs::Link) -> Vec<Shape> {
     link.collision.iter().map(|each| Shape::new(&each.origin, &each.geometry)).collect()
 }
 
-/// Converts a pose of the URDF file to an isometry.
 pub(super) fn pose_in(pose: &Pose) -> Isometry3<f64> {
     let [roll, pitch, yaw] = *pose.rpy;
     let turned = UnitQuaternion::from_euler_angles(roll, pitch, yaw);

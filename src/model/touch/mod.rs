@@ -23,10 +23,10 @@
 //!
 //! # How many points
 //!
-//! On a flat face the sums over the points equal those of the uniform pad (see [`SoftFingertip`](crate::grasp::SoftFingertip)), even for one strip. A
-//! flat pad of length L on a cylinder of radius R, pressed in by δ, touches over the half width `√(2Rδ)` with the force `4/3 K L δ √(2Rδ)`. With six
-//! points across the whole contact width the force is accurate to 2 %, with 26 to 0.1 %; the program `from_mesh` in `examples/reports` prints these
-//! errors. A mesh of n sides deviates from its cylinder by `R (1 - cos(π/n))`, which should be small compared with δ.
+//! On a flat face the stiffnesses that are sums over the points equal those of the uniform pad in [`SoftFingertip`](crate::grasp::SoftFingertip),
+//! even for one strip. A flat pad of length L on a cylinder of radius R, pressed in by δ, touches over the half width `√(2Rδ)` with the force
+//! `4/3 K L δ √(2Rδ)`. With six points across the whole contact width the force is accurate to 2 %, with 26 to 0.1 %; the program `from_mesh` in
+//! `examples/reports` prints these errors. A mesh of n sides deviates from its cylinder by `R (1 - cos(π/n))`, which should be small compared with δ.
 //!
 //! ```
 //! use grasp_lcp::spatial::{Contact, Grasp, Wrench};

@@ -134,7 +134,7 @@ impl Pad {
     /// foremost point of the surface. Without `sides` it also lies in the middle of the surface across the normal.
     ///
     /// # Errors
-    /// [`Error::Fingertip`] for sides or numbers of strips out of range, [`Error::Misses`] if the surface has no point within the rectangle, and
+    /// [`Error::Fingertip`] for sides or numbers of strips out of range. [`Error::Misses`] if the surface has no point within the rectangle.
     /// [`Error::Contact`] with index 0 for a contact whose normal or tangent gives no frame.
     pub fn of_surface(
         surface: &Part,

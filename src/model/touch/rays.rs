@@ -1,7 +1,7 @@
 //! Parallel rays onto a part (the mesh of an object to be held): the positions at which the points of a pad meet the part as the pad closes.
 //!
-//! All rays have the same direction. Each triangle is therefore tested once, in coordinates along and across the rays, and most triangles lie
-//! outside the pad. Building a tree of boxes would take longer.
+//! All rays have the same direction. Each triangle is therefore tested once, in coordinates along and across the rays, and most triangles lie outside
+//! the pad. A tree of boxes is not built, since that takes longer.
 
 use crate::numerics::mapped;
 
@@ -65,8 +65,8 @@ impl Part {
                 continue;
             }
             let orientation = normal[0].signum();
-            // Whether, seen along the rays, `ray` lies on the triangle's side of the edge from p to q, or on the other side at a distance below
-            // `near`, m.
+            // Returns whether `ray` lies on the triangle's side of the edge from p to q, seen along the rays. A ray on the other side counts if its
+            // distance from the edge is at most `near`, m.
             let inside = |p: &Vector3<f64>, q: &Vector3<f64>, ray: &Vector3<f64>| {
                 let (along, to) = ((q[1] - p[1], q[2] - p[2]), (ray[1] - p[1], ray[2] - p[2]));
                 orientation * (along.0 * to.1 - along.1 * to.0) >= -near * along.0.hypot(along.1)

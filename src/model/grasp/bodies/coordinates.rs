@@ -123,8 +123,8 @@ impl Engine {
         self.bodies().map_or_else(|| self.clone(), |bodies| self.with_bodies(bodies.under(loads)))
     }
 
-    /// A copy of this grasp at a point of a load program, which has applied `loads` to the bodies that the entries of `loads` name, and none to other
-    /// bodies. An answer about a point of a load program lists these loads; further questions about this point are asked of the copy.
+    /// A copy of this grasp at a point of a load program, which has applied `loads`. Each entry of `loads` names its body; other bodies have no such
+    /// load. An answer about a point of a load program lists these loads; further questions about this point are asked of the copy.
     pub(crate) fn with_body_loads(&self, loads: &[BodyLoad<3>]) -> Result<Self, Error> {
         let mut all = vec![Wrench::ZERO; self.bodies().map_or(0, |bodies| bodies.names.len())];
         for BodyLoad { body, load } in loads {

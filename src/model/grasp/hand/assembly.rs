@@ -1,5 +1,6 @@
-//! Assembly of the coordinates, contacts and drives of a grasp from a hand. A command is a prescribed displacement of a finger, joint or tendon. In
-//! the engine's coordinates moments and rotations refer to the centroid of the contacts.
+//! Assembly of the coordinates, contacts and drives of a grasp from a hand. A drive is the spring of a joint or tendon, with its force limit. A
+//! command is a prescribed displacement of a finger, joint or tendon. In the engine's coordinates moments and rotations refer to the centroid of the
+//! contacts.
 
 use nalgebra::DMatrix;
 
@@ -228,9 +229,9 @@ impl Assembly {
         (Spring { along: along / unit, stiffness: stiffness * unit * unit, unit: 1.0 / unit }, unit)
     }
 
-    /// Adds a drive, the spring of a joint or tendon with its force limit. A drive that yields at a constant force ([`Limit::Saturates`]) is added as
-    /// two springs in series, whose laws are those of frictionless contacts. `command` is the index of the command that stretches the spring, with
-    /// the stretch in m per unit of this command. `pushes` is false for a drive that only pulls.
+    /// Adds a drive. A drive that yields at a constant force ([`Limit::Saturates`]) is added as two springs in series, whose laws are those of
+    /// frictionless contacts. `command` is the index of the command that stretches the spring, with the stretch in m per unit of this command.
+    /// `pushes` is false for a drive that only pulls.
     fn drive(
         &mut self,
         owner: DriveOwner,
@@ -277,7 +278,7 @@ impl Assembly {
         }
     }
 
-    /// Makes the grasp, as an [`Engine`], from the contacts, joints and drives (springs of joints and tendons) that were collected.
+    /// Makes the grasp, as an [`Engine`], from the contacts, joints and drives that were collected.
     fn grasp(
         self,
         tendons: Vec<NamedPart>,

@@ -32,7 +32,7 @@ pub(super) fn split(
     let scaled = matrix_of(size, size, &|i, j| compliance[(i, j)] / (root[i] * root[j]));
     let least = least_eigenvalue(&scaled);
     // If the least eigenvalue of the compliance matrix, after scaling to unit diagonal, is at most `SOLVED_ROUNDING`, it is zero up to rounding. The
-    // contacts would then be rigid along some direction.
+    // contacts are then rigid along some direction.
     if least <= SOLVED_ROUNDING {
         return Err(NotPositive::Eigenvalue(least_eigenvalue(compliance)));
     }

@@ -1,4 +1,4 @@
-//! The parts of a grasp, contacts, joints and drives (springs of joints and tendons), collected from a hand.
+//! The parts of a grasp, collected from a hand: contacts, joints and drives. A drive is the spring of a joint or tendon, with its force limit.
 
 use nalgebra::SVector;
 

@@ -35,8 +35,8 @@ pub(crate) enum DriveLaw {
     /// springs in series. This half is a frictionless contact whose normal force is the upper bound minus the drive's force; it opens at the upper
     /// bound.
     UpperHalf,
-    /// The lower half of a drive that yields at two bounds of its force: the second of the two springs in series. It is a frictionless contact whose
-    /// normal force is the drive's force minus the lower bound; it opens at the lower bound.
+    /// The lower half of a drive that yields at two bounds of its force: the second of the two springs in series. It is a frictionless contact that
+    /// opens at the lower bound. Its normal force is the drive's force minus the lower bound.
     LowerHalf,
 }
 
@@ -180,8 +180,8 @@ impl Drive {
         force / self.stiffness
     }
 
-    /// Whether the drive never pushes, as for a tendon that only pulls. If such a tendon has a largest tension, two springs model its drive, and the
-    /// lower half never pushes.
+    /// Whether the drive never pushes, since it belongs to a tendon that only pulls. If such a tendon has a largest tension, two springs model its
+    /// drive. The result is then true for the lower half.
     pub(crate) fn pulls_only(&self) -> bool {
         self.role == DriveLaw::Pulls || (self.role == DriveLaw::LowerHalf && self.rest == 0.0)
     }

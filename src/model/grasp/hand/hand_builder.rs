@@ -67,7 +67,7 @@ impl<const C: usize> Hand<C> {
         Space::of::<C>()
     }
 
-    /// Upper limit of the number of coordinates of a grasp by this hand, in the plane or in space; see [`Self::coordinates`].
+    /// Upper limit of the number of coordinates of a grasp by this hand, of object and hand together, in the plane or in space.
     pub(super) fn coordinates_in(&self, space: Space) -> usize {
         let saturates = |limit: Option<Limit>| usize::from(matches!(limit, Some(Limit::Saturates(_))));
         let mut all = space.of_the_object() + self.joints();

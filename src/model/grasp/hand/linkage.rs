@@ -181,7 +181,6 @@ impl Linkage {
         }
     }
 
-    /// Label of a joint or a tendon.
     pub(crate) fn label(&self, part: HandPart) -> PartLabel {
         let named = match part {
             HandPart::Joint(joint) => &self.joints[joint],

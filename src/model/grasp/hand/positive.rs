@@ -92,7 +92,6 @@ pub(super) fn checked(matrix: &DMatrix<f64>, size: usize) -> Result<(), NotPosit
     if worst > 0.0 { Err(NotPositive::Asymmetry(worst)) } else { Ok(()) }
 }
 
-/// The least eigenvalue of a symmetric matrix.
 pub(super) fn least_eigenvalue(matrix: &DMatrix<f64>) -> f64 {
     let symmetric = (matrix + matrix.transpose()) * 0.5;
     symmetric_eigen(&symmetric).0.last().copied().unwrap_or(0.0)
