@@ -1,4 +1,4 @@
-//! All solutions of a small problem 0 ≤ z ⟂ w = M z + q ≥ 0, by trying every set α of the i with z_i basic.
+//! All solutions of a small problem 0 ≤ z ⟂ w = M z + q ≥ 0, by trying every complementary basis, i.e. every set α of the i with z_i basic.
 
 use super::basis::Basis;
 use super::point::LcpPoint;

@@ -1,4 +1,4 @@
-//! P-matrices, for which every q has exactly one solution.
+//! P-matrices. If the matrix M of a problem 0 ≤ z ⟂ w = M z + q ≥ 0 is one, every q has exactly one solution.
 
 use super::problem::Lcp;
 use super::tolerances::{ELIMINATED_PIVOT, elimination_rounding};

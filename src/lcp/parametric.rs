@@ -1,4 +1,5 @@
-//! The path of solutions as a function of a parameter: q(τ) = q₀ + τ dq.
+//! The path of solutions of 0 ≤ z ⟂ w = M z + q(τ) ≥ 0 as the parameter τ of q(τ) = q₀ + τ dq changes. The path consists of pieces, on each of which
+//! the basis does not change.
 
 use super::basis::{Basis, Variable};
 use super::dictionary::{LemkeVariable, largest};
@@ -12,7 +13,7 @@ use super::workspace::Workspace;
 use crate::prelude::*;
 use nalgebra::DVector;
 
-/// Direction of the parameter τ along a piece of the path of solutions. On a piece the basis does not change.
+/// Direction in which the parameter τ changes along a piece of the path of solutions.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Trend {
     /// τ increases.

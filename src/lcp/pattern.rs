@@ -1,4 +1,4 @@
-//! Iteration over the nonzero entries of [M, q]. Subnormal entries count as zero.
+//! Iteration over the nonzero entries of [M, q]: the matrix M of a problem, with its vector q as one more column. Subnormal entries count as zero.
 
 use crate::prelude::*;
 

@@ -1,4 +1,4 @@
-//! Balancing of the rows and columns of M.
+//! Balancing of the rows and columns of the matrix M of a problem 0 ≤ z ⟂ w = M z + q ≥ 0.
 //!
 //! Row i is multiplied by 2^ρ_i and column j by 2^γ_j. The exponents solve the least-squares problem min Σ (log₂|M_ij| + ρ_i + γ_j)² over the nonzero
 //! entries (A. R. Curtis and J. K. Reid, *On the automatic scaling of matrices for Gaussian elimination*, 1972). The scaled matrix 2^ρ_i M_ij 2^γ_j

@@ -1,4 +1,4 @@
-//! Problems with one matrix M and many right-hand sides q.
+//! Problems 0 ≤ z ⟂ w = M z + q ≥ 0 with one matrix M and many right-hand sides q.
 
 use super::error::LcpError;
 use super::outcome::OutcomeView;

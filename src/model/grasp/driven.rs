@@ -1,6 +1,6 @@
 //! Commands and torques of a grasp, and copies of the grasp with other commands or torques. A drive is the spring of a joint or tendon of a hand,
 //! with its force limit; the engine treats it like a contact. The offset of a contact is its commanded displacement less the clearance; the offset of
-//! a drive is the stretch of its spring due to commands.
+//! a drive is the stretch of its spring if nothing has moved.
 
 use alloc::borrow::Cow;
 

@@ -1,9 +1,9 @@
 //! Points of action of a load. Equilibrium depends on the line of a force alone. Its stability depends on the point, too: a weight that stands above
 //! its support turns over, and one that hangs below it does not.
 //!
-//! For forces F at points r the sum `V = Σ F rᵀ` determines both the moment m and this stability. The antisymmetric part of V is the moment m. Let
-//! the body turn by the small rotation vector θ while the forces keep their directions. Their potential then changes by `-m·θ + ½ θ·Mθ` with `M = (tr
-//! V) 1 - ½ (V + Vᵀ)`.
+//! For forces F at points r the sum `V = Σ F rᵀ` determines both the moment m and this stability. The antisymmetric part of V gives the moment m. Let
+//! the body turn by the small rotation vector θ while the forces keep their directions. Their potential then changes by `-m·θ + ½ θ·Mθ` with
+//! `M = (tr V) 1 - ½ (V + Vᵀ)`.
 
 use core::ops::{Add, Mul};
 
