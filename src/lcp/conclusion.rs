@@ -83,8 +83,8 @@ impl Workspace {
     /// Marks each basic z_j that is zero up to rounding.
     ///
     /// One of two tests must hold. First, z_j is at most [`ZERO_VALUE`] times the magnitude of the terms from which it was computed. Second, z_j is
-    /// at most [`ZERO_VALUE`] times the largest entry of z. The residuals must then stay at the level of rounding errors if all entries below this
-    /// limit are set to zero. The second test finds entries that were computed from noise alone.
+    /// at most [`ZERO_VALUE`] times the largest entry of z. In the second test the residuals must also stay at the level of rounding errors if all
+    /// entries below this limit are set to zero. The second test finds entries that were computed from noise alone.
     fn mark_vanishing(&mut self, lcp: &Lcp) {
         let n = lcp.len();
         refill(&mut self.vanishing, n, false);

@@ -89,8 +89,8 @@ impl LemkePath {
     /// The row whose basic variable first reaches zero as `entering` increases; `None` if no basic variable reaches zero.
     ///
     /// The dictionary is first recomputed in three cases: rounding has made it drift from M, q and d; the column of `entering` has overflowed; or no
-    /// row offers a pivot. It is also recomputed for a pivot below [`DOUBTFUL_PIVOT`] times the largest entry of its column. In this case one step of
-    /// refinement suffices if it changes the column by at most the fraction [`DRIFTED`].
+    /// row offers a pivot. It is also recomputed for a pivot below [`DOUBTFUL_PIVOT`] times the largest entry of its column. One step of refinement
+    /// takes the place of this recomputation if it changes the column by at most the fraction [`DRIFTED`].
     pub(super) fn blocking_row(
         &mut self,
         entering: LemkeVariable,
