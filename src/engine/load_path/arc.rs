@@ -1,18 +1,18 @@
 //! An arc: a piece of the load path (part of a leg with fixed contact states) on which directions of sliding turn. This file has the linear
 //! algebra at one point of an arc.
 //!
-//! Let a contact slide along p = F_t / |F_t| with `|F_t| = μ F_n`. Its tangent stiffness `C = k_n (e_n + μ P) e_nᵀ + κ d dᵀ`, see [`Tangent`],
+//! Let a contact slide along p = F_t / |F_t| with `|F_t| = μ F_n`. Its tangent stiffness ([`Tangent`]) is `C = k_n (e_n + μ P) e_nᵀ + κ d dᵀ`, which
 //! depends on p alone. Here k_n is the normal stiffness, e_n the unit normal, `P = K_t p / (p·K_t p)` with the tangential stiffnesses K_t, and κ the
-//! stiffness along the tangent d across the slip. The offsets a of the contact springs (commanded displacements minus clearances and slips) are
-//! affine in the load factor λ. The load W is affine in λ or turns with it. Twist q and load factor change together, with grasp maps G_i and a unit u
-//! of displacement. Here q' and λ' are rates per unit of arclength, a_i' and W' rates per unit of λ:
+//! stiffness along the tangent d across the slip. λ is the fraction of the leg that is done. The offsets a of the contact springs (commanded
+//! displacements minus clearances and slips) are affine in λ. The load W is affine in λ or turns with it. Twist q and λ change together, with grasp
+//! maps G_i and a unit u of displacement. Here q' and λ' are rates per unit of arclength, a_i' and W' rates per unit of λ:
 //!
 //! ```text
 //! T q' = b λ',     T = Σ G_i C_i G_iᵀ,     b = Σ G_i C_i a_i' + W',     |q'|²/u² + λ'² = 1
 //! ```
 //!
-//! The null vector of `[T | -b]` is the direction of the path. It stays smooth where the load factor has a maximum and T is singular. One more row
-//! below this matrix, transverse to the path, makes it regular even at such a maximum. A free motion is a motion that no spring resists.
+//! The null vector of `[T | -b]` is the direction of the path. It stays smooth where the load has a maximum and T is singular. One more row below
+//! this matrix, transverse to the path, makes it regular even at such a maximum. A free motion is a motion that no spring resists.
 
 use crate::numerics::{Each, IntoList, Once, Vector, by_axis};
 use nalgebra::{Matrix, SVector};
@@ -26,16 +26,16 @@ use crate::grasp::Site;
 use crate::object::{ForcesAndTwist, Imbalance, LinearProblem};
 use crate::prelude::*;
 
-/// An arc of a load path: contacts keep the states `states`, and directions of sliding turn. The load factor λ is the fraction of the leg (section of
-/// the load program) that is done.
+/// An arc of a load path: contacts keep the states `states`, and directions of sliding turn. λ is the fraction of the leg (section of the load
+/// program) that is done.
 pub(super) struct Arc<'s, 'g> {
     pub(super) segment: &'s Segment<'g>,
     pub(super) states: &'s [State],
     /// Indices of the contacts that slide.
     pub(super) sliding: Vec<usize>,
-    /// The unit u of displacement in arclength, m. Arclength is measured along the curve (q/u, λ) of the twist q and the load factor λ.
+    /// The unit u of displacement in arclength, m. Arclength is measured along the curve (q/u, λ) of the twist q and the fraction λ.
     unit: f64,
-    /// Unit motions that no spring resists, each with the prescribed velocity of the object along it per unit of the load factor.
+    /// Unit motions that no spring resists, each with the prescribed velocity of the object along it per unit of λ.
     free_motions: Vec<(Vector, f64)>,
     /// The terms of `T q' = b λ'` that do not come from sliding contacts; all points of one arc share them.
     pub(super) fixed: SharedTerms,
@@ -44,7 +44,7 @@ pub(super) struct Arc<'s, 'g> {
 }
 
 /// The terms of `T q' = b λ'` that are constant along an arc: terms of the tangent stiffness T and of the right-hand side b. Here q is the twist and
-/// λ the load factor.
+/// λ the fraction of the leg.
 #[derive(Debug)]
 pub(super) struct ConstantTerms {
     /// The tangent stiffness of the contacts that do not slide. T would be singular if no spring resists some motion, so an artificial stiffness is
@@ -60,24 +60,22 @@ pub(super) struct ConstantTerms {
 /// The [`ConstantTerms`] of an arc, computed on first use, because the rates at which friction forces turn can be computed without them.
 pub(super) type SharedTerms = alloc::sync::Arc<Once<ConstantTerms>>;
 
-/// A direction (q', λ') of the path in the space of twist q and load factor λ, also used for a change of both.
+/// A direction (q', λ') of the path in the space of twist q and fraction λ of the leg; a change of both is stored in this form, too.
 #[derive(Debug, Clone)]
 pub(super) struct Direction {
     /// Rate q' of the twist, per unit of arclength.
     pub(super) twist: Vector,
-    /// Rate of the load factor, λ', per unit of arclength.
+    /// Rate of the fraction λ of the leg, per unit of arclength.
     pub(super) factor: f64,
 }
 
 impl Direction {
-    /// The direction in which only the load factor grows, while the twist stays constant. Corrections transverse to it change the twist and leave the
-    /// load factor fixed.
+    /// The direction in which only λ grows, while the twist stays constant. Corrections transverse to it change the twist and leave λ fixed.
     pub(super) fn forward() -> Self {
         Self { twist: Vector::zeros(), factor: 1.0 }
     }
 
-    /// Whether the twist stays constant in this direction, as in [`Self::forward`]. Corrections transverse to this direction leave the load factor
-    /// fixed.
+    /// Whether the twist stays constant in this direction, so that only λ changes. Corrections transverse to this direction leave λ fixed.
     fn keeps_the_factor(&self) -> bool {
         self.twist.norm_squared() == 0.0
     }
@@ -85,7 +83,7 @@ impl Direction {
 
 impl<'s, 'g> Arc<'s, 'g> {
     /// The arc on which contacts keep these states. Each of `free_motions` is a motion that no spring resists, with the object's velocity along it
-    /// per unit of the load factor. `unit` is the displacement, m, that counts as much in the arclength as a change of the load factor by 1.
+    /// per unit of λ. `unit` is the displacement, m, that counts as much in the arclength as a change of λ by 1.
     pub(super) fn new<'m>(
         segment: &'s Segment<'g>,
         states: &'s [State],
@@ -147,8 +145,8 @@ impl<'s, 'g> Arc<'s, 'g> {
         self.segment.grasp.sites()
     }
 
-    /// The right-hand side b of `T q' = b λ'` at a load factor, without the terms of sliding contacts: the rate of the load, `ConstantTerms::push`
-    /// and terms of the velocities of free motions.
+    /// The right-hand side b of `T q' = b λ'` at the fraction `factor` of the leg, without the terms of sliding contacts: the rate of the load,
+    /// `ConstantTerms::push` and terms of the velocities of free motions.
     fn push_at(&self, factor: f64) -> Vector {
         let ConstantTerms { push, stiffest, .. } = self.fixed();
         let along = |push: Vector, (v, rate): &(Vector, f64)| push + v * (stiffest * rate);
@@ -156,7 +154,7 @@ impl<'s, 'g> Arc<'s, 'g> {
     }
 
     /// The norm of the sum of two rates: the rate of the load, and the rate of the forces by which commands push contacts that do not slide. The unit
-    /// is N per unit of the load factor.
+    /// is N per unit of λ.
     pub(super) fn load_rate(&self, factor: f64) -> f64 {
         self.push_at(factor).norm()
     }
@@ -171,21 +169,20 @@ impl<'s, 'g> Arc<'s, 'g> {
         local.tangent(&State::Round(Slide::new(friction, 0.0)))
     }
 
-    /// Tangent stiffnesses of all sliding contacts, with these friction forces, in the order of the indices `sliding`.
     pub(super) fn tangents(&self, frictions: impl Iterator<Item = SVector<f64, 3>>) -> Vec<Tangent> {
         self.sliding.iter().zip(frictions).map(|(&i, friction)| self.tangent(i, &friction)).list()
     }
 
-    /// LU factors of the bordered matrix at a load factor. Its columns are the tangent stiffness T times the unit u of displacement, then the
-    /// right-hand side -b. Its last row is `across`, so that corrections of the state are transverse to this direction of the path. Also returns
-    /// the largest entry of T u and b. `None` if the matrix is singular, so that the path may continue in more than one direction.
+    /// LU factors of the bordered matrix at the fraction `factor` of the leg. Its columns are the tangent stiffness T times the unit u of
+    /// displacement, then the right-hand side -b. Its last row is `across`, a direction of the path: corrections of twist and λ are transverse to it.
+    /// Also returns the largest entry of T u and b. `None` if the matrix is singular, so that the path may continue in more than one direction.
     fn bordered(&self, tangents: &[Tangent], factor: f64, across: &Direction) -> Option<(PathFactors, f64)> {
         let (stiffness, push) = self.balance(tangents, factor);
         self.factored(stiffness, &push, across)
     }
 
-    /// The tangent stiffness T and the right-hand side b of `T q' = b λ'` at a load factor; `tangents` are the tangent stiffnesses of the sliding
-    /// contacts.
+    /// The tangent stiffness T and the right-hand side b of `T q' = b λ'` at the fraction `factor` of the leg; `tangents` are the tangent stiffnesses
+    /// of the sliding contacts.
     pub(super) fn balance(&self, tangents: &[Tangent], factor: f64) -> (PathStiffness, Vector) {
         let (mut t, mut push) = (self.fixed().stiffness.clone(), self.push_at(factor));
         for (&i, tangent) in self.sliding.iter().zip(tangents) {
@@ -204,8 +201,8 @@ impl<'s, 'g> Arc<'s, 'g> {
         (t, push)
     }
 
-    /// LU factors of the bordered matrix as in [`Self::bordered`], from the tangent stiffness T = `t` and the right-hand side b = `push`. Also
-    /// returns the largest entry of `T u` and b, with the unit u of displacement. `None` if the matrix is singular.
+    /// LU factors of the bordered matrix `[T u | -b]` with the last row `across`, from the tangent stiffness T = `t` and the right-hand side b =
+    /// `push`. Also returns the largest entry of `T u` and b, with the unit u of displacement. `None` if the matrix is singular.
     pub(super) fn factored(
         &self,
         mut t: PathStiffness,
@@ -218,23 +215,22 @@ impl<'s, 'g> Arc<'s, 'g> {
     }
 
     /// Multiplies the tangent stiffness `t` by the unit u of displacement. Returns the largest entry of the scaled `t` and of `push`. Also returns
-    /// the entries of `across` for the twist, multiplied by this largest entry: the last row of the bordered matrix then has entries of the same size
-    /// as the others.
+    /// the entries of `across` for the twist, multiplied by this largest entry: the last row of the bordered matrix then has entries of the same
+    /// magnitude as the others.
     fn border(&self, t: &mut PathStiffness, push: &Vector, across: &Direction) -> (f64, Vector) {
         t.scale(self.unit);
         let scale = t.amax().max(push.amax());
         (scale, &across.twist * (scale / self.unit))
     }
 
-    /// The change of twist and load factor from a solution of the bordered linear system. In this system the twist is divided by the unit u of
-    /// displacement.
+    /// The change of twist and λ from a solution of the bordered linear system. In this system the twist is divided by the unit u of displacement.
     pub(super) fn unscaled(&self, (x, factor): (Vector, f64)) -> Direction {
         Direction { twist: x * self.unit, factor }
     }
 
-    /// The direction of the path per unit of arclength, at a load factor, for the tangent stiffnesses `tangents` of sliding contacts. Its component
-    /// along `along` is positive. `None` if the path may continue in more than one direction, or if its direction differs from `along` by more than
-    /// sixty degrees.
+    /// The direction of the path per unit of arclength, at the fraction `factor` of the leg, for the tangent stiffnesses `tangents` of sliding
+    /// contacts. Its component along `along` is positive. `None` if the path may continue in more than one direction, or if its direction differs
+    /// from `along` by more than sixty degrees.
     pub(super) fn direction(
         &self,
         tangents: &[Tangent],
@@ -277,8 +273,8 @@ impl<'s, 'g> Arc<'s, 'g> {
         self.states.iter().enumerate().map(rate).list()
     }
 
-    /// Corrects twist and load factor, transverse to the direction `across` of the path, until forces balance. Friction forces of sliding contacts
-    /// lie on their cones, at first in the directions of `frictions`. Returns forces, twist and load factor; `None` if the iteration does not
+    /// Corrects twist and fraction λ of the leg, transverse to the direction `across` of the path, until forces balance. Friction forces of sliding
+    /// contacts lie on their cones, at first in the directions of `frictions`. Returns forces, twist and λ; `None` if the iteration does not
     /// converge.
     pub(super) fn balanced(
         &self,
@@ -312,8 +308,8 @@ impl<'s, 'g> Arc<'s, 'g> {
                 }
                 let mut change = self.unscaled(bordered.solve(&left, 0.0));
                 if across.keeps_the_factor() {
-                    // `across` is the direction in which only the load factor grows. A correction transverse to it leaves the load factor fixed, so a
-                    // computed change of the load factor is only rounding.
+                    // `across` is the direction in which only λ grows. A correction transverse to it leaves λ fixed, so a computed change of λ is
+                    // only rounding.
                     change.factor = 0.0;
                 }
                 twist += &change.twist;
@@ -323,8 +319,8 @@ impl<'s, 'g> Arc<'s, 'g> {
             }
             let carried = ended?;
             let off = self.off_the_cones(&forces);
-            // Each round of corrections reduces `off`, the distance of friction forces from their cones. Next to a fold (a maximum of the load
-            // factor) a round reduces it to a quarter. After four rounds the corrections end if a round has left more than 0.3 of `off`.
+            // Each round of corrections reduces `off`, the distance of friction forces from their cones. Next to a fold (a maximum of the load) a
+            // round reduces it to a quarter. After four rounds the corrections end if a round has left more than 0.3 of the `off` before it.
             if round > 3 && off > 0.3 * last {
                 break;
             }
@@ -338,7 +334,7 @@ impl<'s, 'g> Arc<'s, 'g> {
                     .zip(&mut frictions)
                     .for_each(|(&i, friction)| *friction = tangential(&forces[i]));
             }
-            // If the correction has reduced the sum of contact forces to less than a quarter, the state still has the rounding errors of the larger
+            // If the correction has reduced the sum of contact forces to less than a quarter, the result still has the rounding errors of the larger
             // forces. It is not accepted but corrected again.
             if initial_force <= 4.0 * carried {
                 balanced = Some((ForcesAndTwist { forces, twist: twist.clone() }, factor));
@@ -350,7 +346,7 @@ impl<'s, 'g> Arc<'s, 'g> {
         balanced
     }
 
-    /// The largest difference, N, between the size of the friction force of a sliding contact and its limit μ F_n. Contacts without friction
+    /// The largest difference, N, between the magnitude of the friction force of a sliding contact and its limit μ F_n. Contacts without friction
     /// force are left out.
     fn off_the_cones(&self, forces: &[SVector<f64, 3>]) -> f64 {
         let mut most = 0.0_f64;
@@ -363,8 +359,8 @@ impl<'s, 'g> Arc<'s, 'g> {
         most
     }
 
-    /// Contact forces at a twist and a load factor. A sticking contact has the force of its springs, an open contact none. The friction force of
-    /// each sliding contact is on its cone, in the direction given in `frictions`.
+    /// Contact forces at a twist and the fraction `factor` of the leg. A sticking contact has the force of its springs, an open contact none. The
+    /// friction force of each sliding contact is on its cone, in the direction given in `frictions`.
     fn forces_at(&self, twist: &Vector, factor: f64, frictions: &[SVector<f64, 3>]) -> Vec<SVector<f64, 3>> {
         let offsets = self.segment.offsets(factor);
         let mut slid = frictions.iter();
@@ -389,9 +385,10 @@ impl<'s, 'g> Arc<'s, 'g> {
 }
 
 impl Segment<'_> {
-    /// Forces and twist at the load factor `factor`, with their rates per unit of the load factor. Contacts keep the states `states` and slide on the
-    /// round cone. The forces are those of the equilibrium near the state `at` with friction forces on their cones; if no such equilibrium is found,
-    /// the forces of that state. Along motions that no spring resists, the object moves at the twist rate `pushed`, if it is given.
+    /// Forces and twist at the fraction `factor` of the leg, with their rates per unit of this fraction. Contacts keep the states `states` and slide
+    /// on the round cone. The forces are those of the equilibrium near the forces and twist `at`, with friction forces on their cones. If no such
+    /// equilibrium is found, they are the forces of `at`. Along motions that no spring resists, the object moves at the twist rate `pushed`, if it is
+    /// given.
     pub(super) fn tangent(
         &self,
         states: &[State],

@@ -1,5 +1,5 @@
 //! The unit u of displacement in the arclength along an arc, a piece of the load path on which directions of sliding turn. Arclength is measured
-//! along the curve (q/u, λ) of the twist q and the load factor λ. Over a whole leg (a section of the load program) λ grows by 1.
+//! along the curve (q/u, λ) of the twist q and the fraction λ of the leg. Over a whole leg (a section of the load program) λ grows by 1.
 
 use core::f64::consts::FRAC_PI_2;
 
@@ -13,10 +13,10 @@ use crate::numerics::{largest, least};
 use crate::prelude::*;
 
 impl PiecewiseFollower<'_> {
-    /// Norm of the twist rate at the beginning of an arc, m per unit of the load factor. Taken as the unit u of displacement, it gives twist and load
-    /// factor equal weight in the arclength at that point. While the load turns, the present twist rate may be small. Therefore the twist rate after
-    /// a further quarter revolution of the load is computed, too, and its norm is added in quadrature. The result is at most 1e6 times the deflection
-    /// of the softest spring, and 1 instead of zero.
+    /// Norm of the twist rate at the beginning of an arc, m per unit of λ. Taken as the unit u of displacement, it gives twist and λ equal weight in
+    /// the arclength at that point. While the load turns, the present twist rate may be small. Therefore the twist rate after a further quarter
+    /// revolution of the load is computed, too, and its norm is added in quadrature. The result is at most 1e6 times the displacement
+    /// [`Self::springs_give`], by which the springs give. It is 1 instead of zero.
     pub(super) fn displacement_rate(&self, point: &PathPoint) -> f64 {
         let mut size = point.twist_rate.norm();
         if let Trajectory::Turn { angle, .. } = self.segment.trajectory {
@@ -26,15 +26,14 @@ impl PiecewiseFollower<'_> {
                 size = size.hypot(rate.twist.norm());
             }
         }
-        // Near a limit load hardly anything resists a motion, and its huge displacement would not be a useful unit. The displacement is therefore
-        // limited to this multiple of the deflection of the softest spring.
+        // Near a limit load hardly anything resists a motion, and its huge displacement is no useful unit. The displacement is therefore limited to
+        // this multiple of the displacement by which the springs give.
         let size = size.min(1e6 * self.springs_give(point));
         if size > 0.0 { size } else { 1.0 }
     }
 
     /// A scale of displacement, m, the sum of a deflection and the largest change of a contact spring's offset (command minus clearance and slip). It
-    /// is the deflection of the softest spring under the sum of the largest present force and the change of the load. Both changes are per unit of
-    /// the load factor.
+    /// is the deflection of the softest spring under the sum of the largest present force and the change of the load. Both changes are per unit of λ.
     fn springs_give(&self, point: &PathPoint) -> f64 {
         let sites = self.segment.grasp.sites();
         let softest = least(sites, &|site| site.springs.softest());

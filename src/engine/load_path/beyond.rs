@@ -1,13 +1,13 @@
-//! Beyond the end of a load path: whether any other equilibrium exists at a slightly larger load factor. A leg is a section of the load program; the
-//! load factor is the fraction of it that is done. The onset is the first slip or opening. The grasp snaps over if the object moves, at constant
-//! load, to another equilibrium. A fold is a maximum of the load factor. The offset of a contact's springs is the command of its finger (a
-//! displacement) minus clearance and accumulated slip.
+//! Beyond the end of a load path, or beyond an onset (the first slip or opening): whether any other equilibrium exists at a slightly larger load
+//! factor. Along a leg (a section of a load program) the fraction of the leg that is done takes the place of the load factor. The grasp snaps over if
+//! the object moves, at constant load, to another equilibrium. A fold is a maximum of the load along a path. The offset of a contact's springs is the
+//! command of its finger (a displacement) minus clearance and accumulated slip.
 //!
 //! A proof that no equilibrium exists may be a motion: a virtual motion at the end, or another motion that separates the load from all possible
 //! contact forces. In the plane, and in space with polygonal friction cones, every combination of contact states is tried. The load factor is `τ* +
-//! ε`, with τ* the load factor at the end and ε infinitesimal. At `τ* + ε` a condition of a contact state holds if its value at τ* is positive, or
-//! zero with a rate that is not negative. On the round cone an equilibrium at a slightly larger load factor is searched for without regard to the
-//! path.
+//! ε`, with τ* the load factor at the end and ε infinitesimal. At `τ* + ε` a condition for a contact state (open, sticking or sliding) holds if its
+//! value at τ* is positive, or zero with a rate that is not negative. On the round cone an equilibrium at a slightly larger load factor is searched
+//! for without regard to the path.
 
 use nalgebra::SVector;
 
@@ -40,17 +40,16 @@ use crate::serial::AsComputed;
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum Beyond<const C: usize> {
-    /// The equilibrium continues with the contact states and rates given here. This answer occurs only beyond a first slip. A load path is followed
-    /// as far as its equilibrium continues, so that nothing continues at its end.
+    /// The equilibrium continues with the contact states and rates given here. This answer occurs only beyond an onset. A load path is followed as
+    /// far as its equilibrium continues, so that no continuation exists at its end.
     Continues(Box<Continuation<C>>),
     /// No equilibrium exists just beyond: a limit load. It is proved by a virtual motion, or in the plane and on polygonal friction cones by a trial
     /// of every combination of contact states. On the round cone the proof may be for a somewhat larger load only. That load exceeds the load at the
     /// end by at most a hundredth of the whole load or of all commands. Without any load yet, it lies at most a hundredth of the leg beyond the end.
     LimitLoad,
-    /// This equilibrium ends here, but others exist at slightly larger loads. After a first slip, a load path under the same load shows whether the
-    /// grasp snaps over to one of them ([`Jump::snaps`](super::Jump::snaps)). At the end of a load path it is known that the grasp does not snap
-    /// over. In the model that load paths use, with artificial viscous dampers at the contacts, the object reaches none of these equilibria by small
-    /// motions.
+    /// This equilibrium ends here, but others exist at slightly larger loads. After an onset, a load path under the same load shows whether the grasp
+    /// snaps over to one of them ([`Jump::snaps`](super::Jump::snaps)). At the end of a load path it is known that the grasp does not snap over. In
+    /// the model that load paths use, with artificial viscous dampers at the contacts, the object reaches none of these equilibria by small motions.
     Snap,
     /// This equilibrium ends here: the complementarity problem for the rates of forces and motion has no solution. Whether other equilibria exist at
     /// larger loads is not known, because there are too many contacts to try all combinations of states. There are more than 32 contacts on the round
@@ -161,8 +160,8 @@ pub(super) fn beyond_end(
         return search_beyond(&problem, rates);
     }
     match segment.grasp.outcome(rates, &load(), settled, effort, segment.answer_for) {
-        // The proof covers all load factors from the end up to a hundredth of `way_beyond` (the change that builds up the whole load) beyond it. Over
-        // a shorter distance the loads would hardly differ from the load at the end, and the proof could fail because of rounding.
+        // The proof covers all load factors from the end up to a hundredth of `way_beyond` (the change that builds up the whole load) beyond it. If
+        // the distance were shorter, the loads would hardly differ from the load at the end, and the proof could fail because of rounding.
         Outcome::NoEquilibrium(_) if nothing_holds(&problem, &past(1e-2)) => Beyond::LimitLoad,
         Outcome::NoEquilibrium(reason) => Beyond::Ends { reason },
         Outcome::Undecided(undecided) => Beyond::Undecided { doubt: undecided.doubt },
@@ -193,7 +192,7 @@ fn from_scratch<'g>(
     settings: &Settings,
 ) -> Beyond<3> {
     // Whether the search at the distance `part` beyond the end of the path finds another equilibrium, i.e. one whose forces differ from those at the
-    // end by more than a continuation of the path could cause.
+    // end by more than they could change along a continued path.
     let another = |part: &f64| match settle(&past(*part), settings).0 {
         SearchOutcome::Found(found, _) => !is_near(&found.forces, forces, *part),
         _ => false,
@@ -203,15 +202,16 @@ fn from_scratch<'g>(
     // [`way_beyond`] is the change of the load factor that builds up the whole load.
     for part in [LITTLE_BEYOND, 1e-4, 1e-2] {
         match settle(&past(part), settings).0 {
-            // The search has exceeded the allowed number of pivots of Lemke's method. At a larger distance it would exceed this number again, so no
-            // further distance is tried.
+            // The search has exceeded the allowed number of pivots of Lemke's method. It is expected to exceed this number at a larger distance, too,
+            // so no further distance is tried.
             SearchOutcome::Undecided(Doubt::OutOfPivots) => {
                 return Beyond::Undecided { doubt: Doubt::OutOfPivots };
             }
             SearchOutcome::Undecided(doubt) => why = doubt,
             SearchOutcome::Found(found, _) => {
-                // If the forces found are nearly the forces at the end of the path (see [`is_near`]), the search is repeated nearer to the end, at
-                // 1e-8 and 1e-10. There the forces of the path itself agree with those at the end even better; those of another equilibrium do not.
+                // If each force found is near the force at the end of the path, within the tolerance of [`is_near`], the search is repeated nearer to
+                // the end, at 1e-8 and 1e-10. There the forces of the path itself agree with those at the end even better. The forces of another
+                // equilibrium do not.
                 let is_another = !is_near(&found.forces, forces, part) || [1e-8, 1e-10].iter().any(another);
                 // Forces near those at the end may belong to the equilibrium of the path itself, which because of rounding seems to exist a little
                 // beyond the end. The answer is then undecided. If the forces differ, another equilibrium exists to which the grasp can snap over.
@@ -228,23 +228,23 @@ fn from_scratch<'g>(
 }
 
 /// Whether `found` could be the contact forces of a continued path at the distance `part` beyond its end, where the forces are `forces`. This
-/// requires that each entry of `found` differs from the entry of `forces` by at most √ε times the largest force. ε is the smaller of `part` and 1e-6
-/// ([`LITTLE_BEYOND`]). The root is taken because forces may change with the root of the distance, as next to a fold.
+/// requires that each contact force in `found` differs from that in `forces` by at most √ε times the largest force. ε is the smaller of `part` and
+/// 1e-6 ([`LITTLE_BEYOND`]). The root is taken because forces may change with the root of the distance, as next to a fold.
 fn is_near(found: &[SVector<f64, 3>], forces: &[SVector<f64, 3>], part: f64) -> bool {
     let largest = largest(forces, &nalgebra::Matrix::norm);
     let near = part.min(LITTLE_BEYOND).sqrt();
     found.iter().zip(forces).all(|(f, g)| (f - g).norm() <= near * largest)
 }
 
-/// The unit of distances beyond the end: the change of the load factor that builds up the whole load or all commands, see [`whole_way`]. If this
-/// change is nearly zero, because there is no load yet, the unit is 1, the whole leg.
+/// The unit of distances beyond the end: the change of the load factor, [`whole_way`], that builds up the whole load or all commands. If this change
+/// is nearly zero, because there is no load yet, the unit is 1: for a load path the whole leg.
 fn way_beyond(problem: &Problem, rates: &Problem) -> f64 {
     let way = whole_way(problem, rates);
     if way > ZERO_SLACK { way } else { 1.0 }
 }
 
-/// The smaller of two changes of the load factor. One would build up the whole present load at its present rate, the other all present offsets of the
-/// contact springs at their rates. Zero if neither is finite.
+/// The smaller of two changes of the load factor. The first builds up the whole present load at its present rate, the second all present offsets of
+/// the contact springs at their rates. Zero if neither is finite.
 fn whole_way(problem: &Problem, rates: &Problem) -> f64 {
     let total = |offsets: &[SVector<f64, 3>]| summed(offsets, &nalgebra::Matrix::norm);
     let load_way = problem.wrench.norm() / rates.wrench.norm();
@@ -272,8 +272,8 @@ fn search_beyond(problem: &Problem, rates: &Problem) -> Beyond<3> {
         ) else {
             return false;
         };
-        // The condition of a contact state is zero up to rounding if its value is at most this fraction of the size of its terms. The fraction has an
-        // upper bound: a larger violation is real, however badly conditioned the linear problem is.
+        // A condition for a contact state is zero up to rounding if its value is at most this fraction of the magnitude of its terms. The fraction
+        // has an upper bound: a larger violation is real, however badly conditioned the linear problem is.
         let rounding = (ZERO_SLACK * linear_problem.growth()).min(MOST_SLACK);
         let mut values = Vec::new();
         for_each_condition(problem, &states, &now.forces, &now.twist, &mut |value, size| {

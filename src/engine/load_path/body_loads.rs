@@ -48,12 +48,14 @@ impl<const C: usize> Leg<C> {
         Self::STAY.and_body_load_to(body, load)
     }
 
-    /// This leg with one more change: along it the load on a body changes by `change`, see [`Self::body_load_by`].
+    /// This leg with one more change: along it the load on a body changes by `change`, N and N m about the origin. This load is added to the load of
+    /// the leg and the permanent load of the body.
     pub fn and_body_load_by(self, body: impl Into<String>, change: Wrench<C>) -> Self {
         self.and_body(body.into(), LegGoal::By(change))
     }
 
-    /// This leg with one more change: at its end the load on a body is `load`, see [`Self::body_load_to`].
+    /// This leg with one more change: at its end the load on a body is `load`, N and N m about the origin. This load is added to the load of the leg
+    /// and the permanent load of the body.
     pub fn and_body_load_to(self, body: impl Into<String>, load: Wrench<C>) -> Self {
         self.and_body(body.into(), LegGoal::To(load))
     }

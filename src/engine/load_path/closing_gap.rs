@@ -1,5 +1,6 @@
-//! Free motion of the object after a loss of equilibrium, until the gap of an open contact closes. The apex of a friction cone is zero force. A jump
-//! is a motion of the object, at constant load, to another equilibrium. Drives of joints and tendons are treated like contacts.
+//! Free motion of the object after a loss of equilibrium: a motion that nothing resists, until the gap of an open contact closes. The apex of a
+//! friction cone is zero force. A jump is a motion of the object, at constant load, to another equilibrium. The drives of a hand (the springs of its
+//! joints and tendons, with their force limits) are treated like contacts.
 //!
 //! If nothing resists the motion v with which the object leaves, forces stay constant along v: no spring is stretched further, and friction is
 //! exhausted already. Thus the object is in balance everywhere along the motion, under the load at which equilibrium was lost. The motion ends after
@@ -10,10 +11,10 @@
 //! δ = min gap_i / (-n_i·G_iᵀv)
 //! ```
 //!
-//! At the closed gap the path continues at the same load, and contacts keep the slips that the motion has caused. If kinetic friction is lower,
-//! contacts that begin to slide lose some of their friction force. This lost force is removed first, along a separate leg ([`super::jump_leg`]), i.e.
-//! a section of the path; the gap may close on this leg already. If the motion would be too large for linear kinematics, it is not made, and the path
-//! ends with the loss.
+//! At the closed gap the path continues at the same load, with the slips that the motion has caused. If kinetic friction is lower, contacts that
+//! begin to slide lose some of their friction force. This lost force is removed first, along a separate leg ([`super::jump_leg`]), i.e. a section of
+//! the path; the gap may close on this leg already. If the motion would be too large for linear kinematics, it is not made, and the path ends with
+//! the loss.
 
 use super::event::{Change, Event, Loss, LossKind, PathEnd};
 use super::follower::Follower;
@@ -37,8 +38,8 @@ struct FreeTravel {
     length: f64,
     /// Indices of the contacts and drives whose gaps close at the end of the motion.
     closing: Vec<usize>,
-    /// For each contact or drive: true if the motion gives it no velocity. Such a contact sticks even if its force is on the edge of its
-    /// friction cone.
+    /// For each contact or drive: true if the motion gives it no velocity. Such a contact sticks even if its force is on the boundary of its friction
+    /// cone.
     still: Vec<bool>,
 }
 
@@ -64,8 +65,8 @@ fn lets_pass(local: &LocalLaw<'_>, force: &SVector<f64, 3>, velocity: &SVector<f
 }
 
 impl<'g> PiecewiseFollower<'g> {
-    /// The free motion of the object from the present state along `motion`, up to the gap that closes first. `None` if a contact resists or
-    /// blocks the motion, if no gap closes, or if rotations or slips exceed the limits of small motions.
+    /// The free motion of the object from the present point of the path along `motion`, up to the gap that closes first. `None` if a contact resists
+    /// or blocks the motion, if no gap closes, or if rotations or slips exceed the limits of small motions.
     fn free_travel(&self, motion: &Vector) -> Option<FreeTravel> {
         let grasp = self.segment.grasp;
         let offsets = self.segment.offsets(self.factor);
@@ -106,8 +107,8 @@ impl<'g> PiecewiseFollower<'g> {
         is_small.then_some(FreeTravel { length, closing, still })
     }
 
-    /// Lets contacts slide whose forces are on the edge of their friction cones, and opens contacts at the apex, as the object moves along `motion`.
-    /// A contact with its force on an edge sticks if this motion gives it no velocity. Returns the changes of contact states.
+    /// Lets contacts slide whose forces are on the boundary of their friction cones, and opens contacts at the apex, as the object moves along
+    /// `motion`. A contact with its force on the boundary sticks if this motion gives it no velocity. Returns the changes of contact states.
     fn yield_along(
         &mut self,
         motion: &Vector,
@@ -148,8 +149,7 @@ impl<'g> PiecewiseFollower<'g> {
     }
 
     /// The event that replaces the loss `loss`: the object, which nothing resists, moves until a gap closes, and the path continues with this gap
-    /// closed. `None` if no gap closes, if a jump (motion at constant load) from this point of the path has failed, or if no integration steps are
-    /// left.
+    /// closed. `None` if no gap closes, if a jump from this point of the path has failed, or if no integration steps are left.
     pub(super) fn closing_gap_event(&mut self, run: &ProgramRun<'g>, loss: &Loss<3>) -> Option<Event<3>> {
         if self.failed_jump.is_some() || self.pace.steps >= run.settings.most_steps {
             return None;
@@ -166,14 +166,14 @@ impl<'g> PiecewiseFollower<'g> {
             if lets_go { jump.run(&goal, run).map(|()| first) } else { Ok(first) }
         });
         let changes = went.ok()?;
-        // If the state at the closed gap cannot be computed because of rounding, the path ends with the loss.
+        // If the equilibrium at the closed gap cannot be computed because of rounding, the path ends with the loss.
         let jump = self.end_jump(run, &goal, jump).ok()?;
         self.at_node = true;
         Some(Event { jump: Some(Box::new(jump)), ..self.caught(run, changes, state) })
     }
 
-    /// The event that replaces a loss from which the path continues. It has the changes of contact states `changes` at the loss, and the
-    /// equilibrium `state` before these changes. The caller adds the jump, a motion at constant load to another equilibrium.
+    /// The event that replaces a loss from which the path continues. It has the changes of contact states `changes` at the loss, and the equilibrium
+    /// `state` before these changes. The caller adds the jump.
     pub(super) fn caught(
         &self,
         run: &ProgramRun<'g>,

@@ -1,5 +1,6 @@
-//! Separates contacts from drives in the events of a grasp by a hand. The engine treats the drive of a joint or tendon like a contact, with an index
-//! after the contacts. Answers name the joint or tendon.
+//! Separates contacts from drives in the events of a grasp by a hand. A drive is the spring of a joint or tendon, with its force limit. The engine
+//! treats a drive like a contact, with an index after the contacts. Answers name the joint or tendon. An event is a change of contact states, or of
+//! drives, at one point of a load path.
 
 use super::drive_change::{DriveChange, PartChange};
 use super::event::{Change, ContactChange};
@@ -12,8 +13,8 @@ use crate::numerics::{IntoList, moved};
 use crate::prelude::*;
 
 impl Engine {
-    /// Divides a list of changes of state into changes of contacts and changes of drives. A drive is labelled by its joint or tendon. If two drives
-    /// of one joint or tendon change in the same way, one after the other, the change is listed once.
+    /// Divides the list of the changes at an event into changes of contacts and changes of drives. A drive is labelled by its joint or tendon. If two
+    /// drives of one joint or tendon change in the same way, one after the other, the change is listed once.
     pub(super) fn contacts_and_drives(
         &self,
         changes: Vec<(usize, Change<3>)>,
@@ -34,8 +35,8 @@ impl Engine {
         (contacts, drives)
     }
 
-    /// Divides a list of contacts and drives that leave their states into contacts that stop sticking and drives that yield or slacken. Contacts get
-    /// their labels; a drive is labelled by its joint or tendon.
+    /// Divides a list of contacts that stop sticking, and of drives that stop acting as springs, into the contacts and the drives, which yield or
+    /// slacken. Contacts get their labels; a drive is labelled by its joint or tendon.
     pub(super) fn leaving_apart(
         &self,
         mut leaving: Vec<DepartingContact<3>>,
@@ -66,8 +67,8 @@ impl Engine {
         linkage.part(site - self.len()).map(|part| linkage.label(part))
     }
 
-    /// The contact with this index; for the index of a drive, its joint or tendon. `None` for a drive without joint or tendon, i.e. a spring whose
-    /// state never changes.
+    /// The contact with this index; for the index of a drive, its joint or tendon. `None` for a drive without joint or tendon, i.e. a spring without
+    /// a limit.
     pub(crate) fn leaver(&self, site: usize) -> Option<DepartingPart> {
         match self.linkage() {
             Some(linkage) if site >= self.len() => linkage.part(site - self.len()).map(DepartingPart::Drive),

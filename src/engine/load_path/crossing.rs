@@ -1,8 +1,9 @@
-//! Numerical steps along an arc, a piece of the load path on which directions of sliding turn. Each step is shortened to end at the point of the path
-//! where the value of a condition of a contact state becomes zero.
+//! Numerical steps along an arc, a piece of the load path on which directions of sliding turn. A watched condition is a condition for the state of a
+//! contact (open, sticking or sliding). It is violated if its value is negative, and just met if its value is zero. Each step is shortened to end at
+//! the point of the path where the value of a watched condition becomes zero.
 //!
 //! To find this point, the last step is repeated from its start with other lengths. They come from Newton's method on the value of the condition,
-//! within a bracket. States of the path are never interpolated.
+//! within a bracket. Points of the path are never interpolated.
 
 use super::flow::{Flow, FlowStep, Rule, StepGoal};
 use super::piecewise_follower::PiecewiseFollower;
@@ -11,8 +12,7 @@ use super::watched_condition::{ConditionValue, watch};
 use crate::numerics::{chosen, lowest};
 use crate::prelude::*;
 
-/// A step along an arc: its arclength, the state at its end, and the values of watched conditions there. A watched condition belongs to the present
-/// state of a contact. It is violated if its value is negative, and just met if its value is zero.
+/// A step along an arc: its arclength, the path point at its end, and the values of watched conditions there.
 pub(super) struct StepEnd {
     pub(super) length: f64,
     pub(super) rule: Rule,
@@ -75,9 +75,9 @@ impl PiecewiseFollower<'_> {
             // negative right after the start.
             low.1 = 0.0;
         }
-        // At most eighty lengths are tried; bisection alone would need about fifty, the bits of a floating-point number.
+        // At most eighty lengths are tried. Bisection alone halves the bracket to the 53 bits of a floating-point number in about fifty trials.
         for trial in 0..80 {
-            // If Newton's method gives no length inside the bracket, the length comes from a secant, or every third time from bisection.
+            // If Newton's method gives no length inside the bracket, the length comes from a secant step, or every third time from bisection.
             let part = low.1 / (low.1 - high.1);
             // A secant step keeps at least this fraction of the bracket away from both of its ends, so that the bracket does not shrink by tiny steps
             // from one end only.

@@ -1,4 +1,7 @@
-//! A closed cycle of legs (sections of a load program), followed again and again. Drives of joints and tendons are treated like contacts.
+//! A closed cycle of legs (sections of a load program), followed again and again. A piece of the path is a part of a leg on which all contacts keep
+//! their states (open, sticking or sliding). The cycle state is what a cycle hands on to the next: forces, gaps, slips and twist. A jump is a motion
+//! of the object, under constant load, from one equilibrium to another. The drives of a hand (the springs of its joints and tendons, with their force
+//! limits) are treated like contacts.
 
 use nalgebra::{Matrix, SVector};
 
@@ -30,7 +33,7 @@ pub(crate) struct Cycles<'g> {
     too_far: Option<TooFar>,
 }
 
-/// The state of a grasp between two cycles. Each list has an entry for each contact and drive.
+/// The cycle state: forces, gaps, slips and twist between two cycles. Each list has an entry for each contact and drive.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct CycleState {
     pub(crate) forces: Vec<SVector<f64, 3>>,
@@ -45,25 +48,24 @@ pub(crate) struct CycleState {
 /// Totals and extremes of one cycle of legs. Each list, except `states`, has an entry for each contact and drive.
 #[derive(Debug, Clone)]
 pub(crate) struct CycleRecord {
-    /// The length that each contact or drive has slid during the cycle, m: the sum of the changes of its slip over pieces of the path (parts of legs
-    /// with fixed contact states).
+    /// The length that each contact or drive has slid during the cycle, m: the sum of the changes of its slip over the pieces of the path.
     pub(crate) slid: Vec<f64>,
     /// Heat from friction during the cycle, J.
     pub(crate) dissipated: f64,
-    /// The largest contact force, N, at the ends of the pieces of the path (parts of legs with fixed contact states).
+    /// The largest contact force, N, at the ends of the pieces of the path.
     pub(crate) largest: f64,
     /// For each contact or drive that was open during the whole cycle, its smallest gap, m, at the ends of the pieces of the path. `None` for one
     /// that was closed at some time.
     pub(crate) open: Vec<Option<f64>>,
     /// For each contact or drive, its largest gap, m, at the ends of the pieces of the path on which it was open; zero if it was never open.
     pub(crate) largest_gap: Vec<f64>,
-    /// The number of jumps in the cycle: motions under constant load from one equilibrium to another.
+    /// The number of jumps in the cycle.
     pub(crate) jumps: usize,
-    /// The largest displacement at a contact point, m, in a jump (a motion under constant load) of the cycle.
+    /// The largest displacement at a contact point, m, in a jump of the cycle.
     pub(crate) jump_motion: f64,
     pub(crate) step_error: f64,
-    /// The successive lists of the states of all contacts and drives in the cycle. A new list is added when a leg begins, and when a state changes.
-    /// With each list comes the index, within the cycle, of the leg on which the states hold.
+    /// The successive lists of the states of all contacts and drives in the cycle. A new list is added when a leg begins, and when a contact or drive
+    /// changes its state. With each list comes the index, within the cycle, of the leg on which the states hold.
     states: Vec<(usize, Vec<State>)>,
 }
 
@@ -100,7 +102,8 @@ impl<'g> Cycles<'g> {
     /// The path along the cycle `legs` before its first cycle: it is at the equilibrium under `base`, the load at the beginning of the cycle.
     ///
     /// # Errors
-    /// As for [`Grasp::follow`](crate::ask::Grasp::follow), and [`Error::NotClosed`] for legs that do not lead back to their beginning.
+    /// [`Error::NotClosed`] for legs that do not lead back to their beginning. Other errors are those of
+    /// [`Grasp::follow`](crate::ask::Grasp::follow), e.g. for data out of range.
     pub(crate) fn at_rest(
         grasp: &'g Engine,
         (base, legs): (&Wrench<3>, &[Leg<3>]),
@@ -113,8 +116,8 @@ impl<'g> Cycles<'g> {
         Ok(Self { path, legs: legs.to_vec(), base: *base, completed: 0, too_far: None })
     }
 
-    /// The same cycle of legs, not followed yet, which starts from the state `from`. `None` if `from` is no equilibrium of the grasp: a contact would
-    /// slide at once, or the equilibrium with the slips of `from` has forces that differ from the forces of `from`.
+    /// The same cycle of legs, not followed yet, which starts from the cycle state `from`. `None` if `from` is no equilibrium of the grasp. Then a
+    /// contact slides at once, or the equilibrium with the slips of `from` has forces that differ from the forces of `from`.
     pub(crate) fn beginning_at(&self, from: &CycleState, settings: &Settings) -> Option<Self> {
         let grasp = self.path.run.grasp;
         let largest = largest(&from.forces, &Matrix::norm);
@@ -123,9 +126,9 @@ impl<'g> Cycles<'g> {
             slipped.offsets.iter_mut().zip(&from.slips).for_each(|(offset, slip)| *offset -= slip);
             slipped.slips.clone_from(&from.slips);
             slipped.cones = from.cones(grasp);
-            // If a contact would have to slide at once, `from` is no equilibrium with these slips, and no search is needed.
+            // If a contact has to slide at once, `from` is no equilibrium with these slips, and no search is needed.
             let slides = |(i, force): (usize, &SVector<f64, 3>)| {
-                // A contact slides if a condition of sticking is violated by more than the fraction `NEGLIGIBLE` (1e-9) of the largest force.
+                // A contact slides if a sticking condition is violated by more than the fraction `NEGLIGIBLE` (1e-9) of the largest force.
                 slipped
                     .local(i)
                     .edges(&Mode::Sticking)
@@ -179,8 +182,8 @@ impl<'g> Cycles<'g> {
             self.path.continue_with(&self.legs).ok()?;
         }
         self.completed += 1;
-        // The list `behind` still has the last piece of the previous cycle, from which the present state is computed. The first `before` pieces are
-        // therefore not counted in this cycle.
+        // The list `behind` still has the last piece of the previous cycle, from which the present equilibrium is computed. The first `before` pieces
+        // are therefore not counted in this cycle.
         let before = self.path.follower.as_ref().map_or(0, |follower| follower.behind.len());
         while self.path.next().is_some() {}
         if self.completed == 1 {
@@ -210,8 +213,8 @@ impl<'g> Cycles<'g> {
             states: Vec::new(),
         };
         for (k, piece) in behind.iter().enumerate().skip(before) {
-            // The slips at the end of the piece of the path. If a jump (motion at constant load) follows, the slips before the jump are taken:
-            // the jump is a piece of its own, with its own slips.
+            // The slips at the end of the piece of the path. If a jump follows, the slips before the jump are taken: the jump is a piece of its own,
+            // with its own slips.
             let next = behind
                 .get(k + 1)
                 .map(|next| next.jump.as_ref().map_or(&next.problem.slips, |jump| &jump.slips));
@@ -223,13 +226,13 @@ impl<'g> Cycles<'g> {
                 record.jump_motion = record.jump_motion.max(displacement);
             }
         }
-        // The last piece of the path is kept, since the state at the end of the cycle is computed from it.
+        // The last piece of the path is kept, since the equilibrium at the end of the cycle is computed from it.
         follower.behind.extend(behind.into_iter().last());
         Some(record)
     }
 
-    /// The state of the grasp at the present point of the path, after the cycles so far. `None` if no equilibrium exists under the load at the
-    /// beginning of the cycle, so that there is no path.
+    /// The cycle state at the present point of the path, after the cycles so far. `None` if no equilibrium exists under the load at the beginning of
+    /// the cycle, so that there is no path.
     pub(crate) fn cycle_state(&self) -> Option<CycleState> {
         let follower = self.path.follower.as_ref()?;
         let (at, segment) = (&follower.node.at, &follower.segment);
@@ -258,8 +261,8 @@ impl CycleState {
 }
 
 impl CycleRecord {
-    /// Adds a piece of the path (part of a leg with fixed contact states) to the totals and extremes. `after` are the accumulated slips at its end,
-    /// and `first` is the index of the cycle's first leg among all legs followed.
+    /// Adds a piece of the path to the totals and extremes. `after` are the accumulated slips at its end, and `first` is the index of the cycle's
+    /// first leg among all legs followed.
     fn add(&mut self, piece: &StoredPiece<'_>, after: &[SVector<f64, 3>], first: usize) {
         let leg = piece.leg.saturating_sub(first);
         if let Some(jump) = &piece.jump {

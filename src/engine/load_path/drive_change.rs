@@ -1,15 +1,15 @@
-//! Changes of state of the drives of a hand's joints and tendons, as reported in events. A drive is the spring of a joint or tendon, with the motor
-//! or clutch behind it.
+//! Changes of the drives of a hand's joints and tendons, as reported in events. A drive is the spring of a joint or tendon, with its force limit. An
+//! event is a change of contact states, or of drives, at one point of a load path.
 
 use crate::grasp::PartLabel;
 
-/// A joint or a tendon whose drive changes its state at an event.
+/// A joint or a tendon whose drive changes its behaviour at an event.
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct PartChange {
-    /// The joint or tendon whose drive changes its state.
+    /// The joint or tendon whose drive changes its behaviour.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub part: PartLabel,
     /// The behaviour of the drive from this event on.

@@ -1,5 +1,5 @@
-//! Determines the kind of the end of a load path, from the state of the grasp at this end. There no rates of forces and motion satisfy the contact
-//! laws. Rates are derivatives along the path.
+//! Determines the kind of the end of a load path, from the contact states and forces at this end. There no rates of forces and motion satisfy the
+//! contact laws. Rates are derivatives along the path.
 
 use super::beyond::{Beyond, EquilibriumEnd, beyond_end, no_rates};
 use super::event::{Loss, LossKind, PathEnd};
@@ -14,9 +14,9 @@ use crate::search::{SearchCounts, SearchOutcome, Settings};
 /// The end of a path at a point where no rates of forces and motion satisfy the contact laws, or none were found. `settled` is the outcome of the
 /// search for such rates. Returns `loss`, completed by its kind and by the motion with which the object leaves, or an undecided end.
 ///
-/// The kind is `GivesWay` if nothing resists some motion. Otherwise the kind is `Corner`: no combination of states of the contacts on the edge of
-/// their cones admits rates. If the search was undecided, the end is a corner only if a proof excludes rates, or excludes an equilibrium just beyond.
-/// Without such a proof the end is undecided.
+/// The kind is `GivesWay` if nothing resists some motion. Otherwise the kind is `Corner`: with no combination of states of the contacts on the
+/// boundary of their cones do such rates exist. If the search was undecided, the end is a corner only if a proof excludes rates, or excludes an
+/// equilibrium just beyond. Without such a proof the end is undecided.
 pub(super) fn end_of_path(
     edge: &StateAtEdge<'_>,
     (settled, effort): (SearchOutcome, &SearchCounts),
@@ -31,7 +31,7 @@ pub(super) fn end_of_path(
     let motions = leaving_motions(rates, &segment.trajectory.at(loss.fraction), &rates.yielding());
     let [mut motion, mut against] = motions.map_or([None, None], |motions| motions.each(Some));
     // If no contact carries a force, the springs do not determine the motion with which the object leaves. `rigid_motion` then computes the motion
-    // with which rigid bodies in its place would start to move.
+    // with which the object starts to move if contacts are rigid.
     if let Some(rigid) = rigid_motion(rates) {
         motion = Some(rigid);
         if let SearchOutcome::Separating(v) = &settled {

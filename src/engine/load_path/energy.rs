@@ -1,5 +1,5 @@
-//! The energy balance of each leg of a load path: works, stored energy and heat. A piece is a part of a leg on which all contacts keep their states;
-//! the load factor is the fraction of the leg that is done.
+//! The energy balance of each leg of a load path: works, stored energy and heat. A leg is a section of the load program. A piece is a part of a leg
+//! on which all contacts keep their states (open, sticking or sliding).
 
 use nalgebra::SVector;
 
@@ -11,9 +11,9 @@ use crate::numerics::{Each, Harmonic, mapped};
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 
-/// Energies of one leg (section of the load program), J: `load_work + finger_work = stored + dissipated`. If no contact slides on the round cone,
-/// forces and motions are affine in the load factor on each piece of the path. Under a load that turns they are harmonics of its angle. In both cases
-/// every integral is exact. If contacts slide on the round cone, works are integrated along with the slips.
+/// Energies of one leg, J: `load_work + finger_work = stored + dissipated`. If no contact slides on the round cone, forces and motions are affine in
+/// the fraction of the leg that is done on each piece of the path. Under a load that turns they are harmonics of its angle. In both cases every
+/// integral is exact. If contacts slide on the round cone, works are integrated along with the slips.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -56,7 +56,7 @@ impl LegEnergy {
         }
     }
 
-    /// Adds the energies `part` of another part of the same leg, with other contact states.
+    /// Adds the energies `part` of another part of the same leg.
     pub(super) fn add_part(&mut self, part: &Self) {
         self.load_work += part.load_work;
         self.finger_work += part.finger_work;
@@ -65,8 +65,8 @@ impl LegEnergy {
         self.turnover += part.turnover;
     }
 
-    /// Adds the energies of a piece of the path on which the load factor changes from `factor` by `step`. On this piece contacts keep their
-    /// states, and no contact slides on a round cone. `point` is the state at the beginning of the piece, with its rates.
+    /// Adds the energies of a piece of the path on which the fraction of the leg changes from `factor` by `step`. On this piece contacts keep their
+    /// states, and no contact slides on a round cone. `point` is the path point at the beginning of the piece: forces and twist, with their rates.
     pub(super) fn add(
         &mut self,
         segment: &Segment,
@@ -104,7 +104,7 @@ impl LegEnergy {
     }
 
     /// Adds the energies of a piece of the path along which the load turns, so that forces and motions are harmonic functions of the load's angle.
-    /// `step` is the change of the load factor along the piece.
+    /// `step` is the change of the fraction of the leg along the piece.
     fn add_turned(&mut self, segment: &Segment, states: &[State], turned: &TurningState, step: f64) {
         let angle = turned.angle * step;
         for k in 0..segment.grasp.size().count() {

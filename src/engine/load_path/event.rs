@@ -1,7 +1,7 @@
-//! Events of a load path, at which contacts change their states, and the end of a path. A leg is a section of the load program. A continuation is a
-//! choice of contact states with which the path goes on; one event may allow several, from which the path takes one. A drive is the spring of a joint
-//! or tendon of a hand, with the motor or clutch behind it. A jump is a motion of the object, at constant load, to another equilibrium. In the
-//! engine's coordinates moments and rotations refer to the centroid of the contacts.
+//! Events of a load path, at which contacts change their states (open, sticking or sliding), and the end of a path. A leg is a section of the load
+//! program. A continuation is a choice of contact states with which the path goes on; one event may allow several, from which the path takes one. A
+//! drive is the spring of a joint or tendon of a hand, with its force limit. A jump is a motion of the object, at constant load, to another
+//! equilibrium. In the engine's coordinates moments and rotations refer to the centroid of the contacts.
 
 use nalgebra::SVector;
 
@@ -16,7 +16,7 @@ use crate::search::Doubt;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 
-/// An event: one or more contacts change their state at one load.
+/// An event: one or more contacts change their states at one point of the path.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -24,14 +24,14 @@ use crate::serial::AsComputed;
 pub struct Event<const C: usize> {
     /// Index of the leg (section of the load program), from 0.
     pub leg: usize,
-    /// Fraction of the leg that is done, from 0 to 1. It is exact up to rounding. If a contact slides on the round cone, it is exact up to the
-    /// error of the integration steps, see [`LoadPath::step_error`](super::LoadPath::step_error).
+    /// Fraction of the leg that is done, from 0 to 1. It is exact up to rounding. If a contact slides on the round cone, it is exact up to the error
+    /// of the integration steps, which [`LoadPath::step_error`](super::LoadPath::step_error) estimates.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub fraction: f64,
     /// The load at the event.
     pub load: Wrench<C>,
-    /// Changes of contact states, contact by contact. Empty if only a motion has lost its resistance, or if contacts at the start of a leg keep their
-    /// states although other continuations exist. Symmetric grasps change several contacts at once.
+    /// Changes of contact states, contact by contact. Empty if the only change is that nothing resists some motion any more. Also empty at the start
+    /// of a leg if contacts keep their states although other continuations exist. Symmetric grasps change several contacts at once.
     pub changes: Vec<ContactChange<C>>,
     /// If a hand holds the object: the joints and tendons whose drives yield, hold again, slacken or tighten at this event.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
@@ -40,13 +40,13 @@ pub struct Event<const C: usize> {
     /// them, unless a contact that touches without force pushes the object.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub free_motions: Vec<Motion<C>>,
-    /// Number of other combinations of states with which the contacts on the edge of their cones could continue. `Some(0)` means that the
+    /// Number of other combinations of states with which the contacts on the boundary of their cones could continue. `Some(0)` means that the
     /// continuation is unique. Then either the matrix of the complementarity problem for the rates is a P-matrix, or all states of few contacts were
-    /// tried without another solution. `None`, which is not serialised, if neither test gives the number, as at the apex of a round cone.
+    /// tried without another solution. The number is `None`, which is not serialised, if neither test gives it, as at the apex of a round cone.
     ///
-    /// Of several continuations the path takes the first that exists in this order: nothing changes; sliding contacts keep sliding and contacts at an
-    /// edge slide; everything sticks; the solution of Lemke's method. If several motions are possible with the same forces, the path takes a motion
-    /// in which contacts without force do not drag the object along.
+    /// Of several continuations the path takes the first that exists in this order: nothing changes; sliding contacts keep sliding and contacts on
+    /// the boundary of their cones slide; everything sticks; the solution of Lemke's method. If several motions are possible with the same forces,
+    /// the path takes a motion in which contacts without force do not drag the object along.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub other_continuations: Option<usize>,
     /// The equilibrium at the event, with the contact states before the event (at the very start of a path, the states after it).
@@ -90,14 +90,14 @@ pub enum Change<const C: usize> {
     Sticks,
     /// A sliding contact reverses its direction.
     Reverses {
-        /// The new direction of slip, as for [`Self::Slides`].
+        /// The new unit direction, along the coordinate axes, in which the finger slips over the body.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
         direction: SVector<f64, C>,
     },
     /// A sliding contact turns to another facet or corner of its cone (only in space, on a polygonal cone; on the round cone the direction of sliding
     /// turns continuously).
     Turns {
-        /// The new direction of slip, as for [`Self::Slides`].
+        /// The new unit direction, along the coordinate axes, in which the finger slips over the body.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
         direction: SVector<f64, C>,
     },
@@ -119,8 +119,8 @@ pub enum Change<const C: usize> {
 pub enum PathEnd<const C: usize> {
     /// All legs were followed to their end.
     Completed,
-    /// The equilibrium ends here: no contact states admit rates of forces and motion under the growing load. Whether another equilibrium exists
-    /// beyond is a separate question, see [`LoadPath::beyond`](super::LoadPath::beyond).
+    /// The equilibrium ends here: with no combination of contact states does it continue as the load grows. Whether another equilibrium exists beyond
+    /// is a separate question, which [`LoadPath::beyond`](super::LoadPath::beyond) answers.
     Lost(Box<Loss<C>>),
     /// There is no equilibrium from which the path could start.
     NoStart(Box<Outcome<C>>),
@@ -179,13 +179,13 @@ pub struct Loss<const C: usize> {
     pub load: Wrench<C>,
     /// The reason for the end of the equilibrium.
     pub kind: LossKind,
-    /// The contacts that are on the edge of their cone at the loss.
+    /// The contacts that are on the boundary of their cone at the loss.
     pub contacts: Vec<ContactLabel>,
     /// The joints and tendons of a hand whose drives are at a limit of their torque or force at the loss.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub drives: Vec<PartLabel>,
-    /// The unit motion with which the object leaves. In it every contact on the edge of its cone slides, with its finger slipping along the friction
-    /// force, or opens. `None` if these states do not determine a motion.
+    /// The unit motion with which the object leaves. In it every contact on the boundary of its cone slides, with its finger slipping along the
+    /// friction force, or opens. `None` if these contact states do not determine a motion.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub motion: Option<Motion<C>>,
     /// The slips in a jump (a motion at constant load) that starts at this load and leads to no equilibrium. The jump begins when the friction of
@@ -228,7 +228,7 @@ impl Loss<3> {
     }
 }
 
-/// The reason for the end of an equilibrium under a growing load, as far as the state at the end determines it.
+/// The reason for the end of an equilibrium under a growing load, as far as forces and contact states at the end determine it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -237,7 +237,7 @@ pub enum LossKind {
     /// The load has a smooth maximum while directions of sliding turn on the round cone. With the contact states at the maximum the equilibrium
     /// continues only under a smaller load.
     Fold,
-    /// Contacts are on the edge of their cones, and no combination of their states admits rates of forces and motion under the growing load.
+    /// Contacts are on the boundary of their cones. With no combination of their states do rates of forces and motion exist under the growing load.
     Corner,
     /// The object moves without bound while the load approaches the load of this loss and never reaches it. All directions of sliding have turned
     /// towards this motion, and only friction at its limit resists it.

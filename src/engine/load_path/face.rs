@@ -100,7 +100,7 @@ impl<const C: usize> OnsetEvent<C> {
         core::mem::swap(&mut self.drives, &mut inside.drives);
     }
 
-    /// Takes over all values of `inside`, an onset of the engine, and reuses the memory of its own list `leaving`.
+    /// Takes over all values of `inside`, an onset of the engine, and reuses the storage of its own list `leaving`.
     pub(crate) fn replace_with(&mut self, inside: &mut OnsetEvent<3>) {
         self.exchange(inside);
         (self.factor, self.load, self.cone) = (inside.factor, Face::from_inside(inside.load), inside.cone);

@@ -1,6 +1,6 @@
 //! Contacts with static friction, and lower kinetic friction while they slide, along a load path. A leg is a section of the load program. A jump is a
-//! motion of the object, at constant load, to another equilibrium. A contact's state ends where its force reaches an edge or the apex (zero force) of
-//! its cone.
+//! motion of the object, at constant load, to another equilibrium. A contact's state (open, sticking or sliding) ends where its force reaches the
+//! boundary or the apex (zero force) of its cone.
 
 use super::event::{Change, Event, PathEnd};
 use super::first_exits::ExitsReached;
@@ -15,8 +15,8 @@ use crate::prelude::*;
 
 impl<'g> PiecewiseFollower<'g> {
     /// If some contact has kinetic friction below its static friction, stores the present friction cone of every contact from here on. Contacts that
-    /// slide at the start get kinetic friction. This may cause a jump (motion at constant load to another equilibrium), which the path reports as its
-    /// first event. Changes nothing if the cones are stored already. The error is the end of the path, if the jump leads to no equilibrium.
+    /// slide at the start get kinetic friction. This may cause a jump, which the path reports as its first event. Changes nothing if the cones are
+    /// stored already. The error is the end of the path, if the jump leads to no equilibrium.
     pub(super) fn with_falling_friction(mut self, run: &ProgramRun<'g>) -> Result<Self, PathEnd<3>> {
         let grasp = run.grasp;
         if self.friction_falls() || grasp.weaker_once_they_slide().next().is_none() {
@@ -51,8 +51,8 @@ impl<'g> PiecewiseFollower<'g> {
         !self.segment.problem.cones.is_empty()
     }
 
-    /// Gives static friction again to contacts with kinetic friction that do not slide. Their forces are inside the static cone, which is wider.
-    /// Thus their active sets (edges of the cone on which the force lies) become empty. A contact with zero force stays at the apex of its cone.
+    /// Gives static friction again to contacts with kinetic friction that do not slide. Their forces are inside the static cone, which is wider. Thus
+    /// their active sets (facets of the cone on which the force lies) become empty. A contact with zero force stays at the apex of its cone.
     pub(super) fn friction_of_rest(&mut self) {
         let problem = &mut self.segment.problem;
         for (i, cone) in problem.cones.iter_mut().enumerate() {
@@ -108,8 +108,8 @@ impl<'g> PiecewiseFollower<'g> {
         moved(rest, &|i| (i, Change::Sticks))
     }
 
-    /// Sets the friction of contacts after the changes of state `changes`. If contacts begin to slide with kinetic friction, makes and returns
-    /// the jump (motion at constant load) that follows, else `None`. The error is the end of the path, if the jump leads to no equilibrium.
+    /// Sets the friction of contacts after the changes `changes` of contact states. If contacts begin to slide with kinetic friction, makes and
+    /// returns the jump that follows, else `None`. The error is the end of the path, if the jump leads to no equilibrium.
     pub(super) fn friction_after(
         &mut self,
         run: &ProgramRun<'g>,

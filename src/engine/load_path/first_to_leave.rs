@@ -21,8 +21,9 @@ use crate::numerics::{Harmonic, Vector, cleared_for};
 use crate::object::{ForcesAndTwist, Imbalance};
 use crate::search::{FoundBy, SearchSolution};
 
-/// The contact that stops sticking first, and forces and twist at this onset. It may also be a drive of a joint or tendon that reaches its force
-/// limit; drives are counted after the contacts. `factor` is the load factor or, while a load turns, the angle in rad.
+/// The contact that stops sticking first, and forces and twist at this onset. The index `contact` may also be that of a drive, the spring of a joint
+/// or tendon, that reaches its force limit. Drives are counted after the contacts. `factor` is the load factor or, while a load turns, the angle in
+/// rad.
 pub(super) struct FirstToLeave {
     pub(super) factor: f64,
     pub(super) contact: usize,
@@ -59,7 +60,7 @@ pub(super) fn first_to_leave(segment: &Segment<'_>, memory: &mut OnsetMemory) ->
     Some(FirstToLeave { factor, contact, exit, there: core::mem::take(there) })
 }
 
-/// While a load turns: the first contact that stops sticking, if any, provided that it does so clearly before all others.
+/// While a load turns: the first contact that stops sticking, if it does so clearly before all others.
 pub(super) enum WhileTurning {
     /// One contact stops sticking before all others.
     First(FirstToLeave),
@@ -68,7 +69,8 @@ pub(super) enum WhileTurning {
 }
 
 /// The first contact that stops sticking while the load turns by up to `turn.angle`, or [`WhileTurning::Never`]. `inside` is the load as a function
-/// of the angle. `None` if the simple case of this file does not apply, or if a force touches the edge of its friction cone without leaving the cone.
+/// of the angle. `None` if the simple case of this file does not apply, or if a force touches the boundary of its friction cone without leaving the
+/// cone.
 pub(super) fn first_to_leave_on_turn(
     segment: &Segment<'_>,
     turn: &Turn<3>,
@@ -161,16 +163,16 @@ impl FirstToLeave {
     }
 }
 
-/// Whether a contact clearly sticks: the value of every condition of sticking, positive inside the friction cone, is more than the fraction
-/// `NEGLIGIBLE` of the size of its terms. If the law keeps a contact open (`Law::Absent`), the conditions of an open contact are tested instead.
+/// Whether a contact clearly sticks: the value of every sticking condition, positive inside the friction cone, is more than the fraction `NEGLIGIBLE`
+/// of the magnitude of its terms. If the law keeps a contact open (`Law::Absent`), the conditions of an open contact are tested instead.
 fn clearly_sticks(local: &LocalLaw<'_>, at: &SpringState<'_>) -> bool {
     let mut clear = true;
-    // If a condition has a smaller value, the force may be on the edge of the friction cone. Such a case is left to `StickingPath`.
+    // If a condition has a smaller value, the force may be on the boundary of the friction cone. Such a case is left to `StickingPath`.
     local.for_each_condition(&local.trial_state(), at, &mut |value, size| clear &= value > NEGLIGIBLE * size);
     clear
 }
 
-/// The contact whose force reaches the edge of its cone before all others, with this edge and the load factor at which the force reaches the edge.
+/// The contact whose force reaches the boundary of its cone before all others, with the facet that it reaches and the load factor there (`exit`).
 /// `line` is the contact's force as an affine function of the load factor.
 struct FirstContact {
     contact: usize,
@@ -217,8 +219,8 @@ fn first_exit(
         // fraction `NEGLIGIBLE` (1e-9). The first exit must also be known to the fraction `LARGEST_CORRECTION` (1e-6) of its load factor.
         let alone =
             next - exit.step > NEGLIGIBLE * exit.step && exit.uncertainty <= LARGEST_CORRECTION * exit.step;
-        // If forces grow to more than a million times their size under the base load, their computed rates may be only rounding. Such a case is left
-        // to `sticking_path`.
+        // If forces grow to more than a million times their magnitude under the base load, their computed rates may be only rounding. Such a case is
+        // left to `sticking_path`.
         alone && exit.step * fastest <= 1e6 * largest
     })
 }

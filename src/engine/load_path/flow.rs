@@ -1,8 +1,8 @@
-//! Steps along an arc, a piece of the load path on which contacts keep their states and directions of sliding turn. The lengths of steps are
-//! arclengths. A leg is a section of the load program.
+//! Steps along an arc, a piece of the load path on which contacts keep their states (open, sticking or sliding) and directions of sliding turn. The
+//! lengths of steps are arclengths. A leg is a section of the load program.
 //!
-//! Along an [`Arc`] twist q, load factor λ and friction forces F_t satisfy a differential equation. Its right-hand side depends on the directions of
-//! sliding alone:
+//! Along an [`Arc`] the twist q, the fraction λ of the leg and the friction forces F_t satisfy a differential equation. Its right-hand side depends
+//! on the directions of sliding alone:
 //!
 //! ```text
 //! (q', λ') the null vector of [T | -b],     F_t' = C (a' λ' - Gᵀq')_t
@@ -10,9 +10,9 @@
 //!
 //! T is the tangent stiffness of the object, and b the rate of its load (and of the forces of commands) per unit of λ, so that T q' = b λ'. Each
 //! contact has the tangent stiffness C, the rate a' per unit of λ of the offset of its springs (commanded displacement minus clearance and slip), and
-//! the grasp map G; the index t means tangential components. The rates q', λ' and F_t' are per unit of arclength. Thus a fold, where the load factor
-//! has a maximum, is passed like any other point. The balance of forces is linear in all variables, and steps preserve it. The integration error of a
-//! step moves friction forces off the surfaces of their cones. Newton's method transverse to the path puts them back.
+//! the grasp map G; the index t means tangential components. The rates q', λ' and F_t' are per unit of arclength. Thus a fold, where the load has a
+//! maximum, is passed like any other point. The balance of forces is linear in all variables, and steps preserve it. The integration error of a step
+//! moves friction forces off the surfaces of their cones. Newton's method transverse to the path puts them back.
 
 use nalgebra::SVector;
 
@@ -49,7 +49,7 @@ impl Rule {
     }
 }
 
-/// The load factor at which a step should end, and the distance from it within which the step is extended to end there.
+/// The fraction of the leg at which a step should end, and the distance from it within which the step is extended to end there.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct StepGoal {
     factor: f64,
@@ -58,8 +58,8 @@ pub(super) struct StepGoal {
 }
 
 impl StepGoal {
-    /// The goal at the load factor `factor`, after `trials` steps that missed this load factor. Implicit steps have large rounding errors and
-    /// may miss it again and again.
+    /// The goal at the fraction `factor` of the leg, after `trials` steps that missed it. Implicit steps have large rounding errors and may miss it
+    /// again and again.
     pub(super) fn after(factor: f64, trials: usize) -> Self {
         // The distance `near` grows after sixteen and after thirty-two trials. Even the largest distance is no larger than the usual error of steps.
         let near = match trials / 16 {
@@ -71,7 +71,8 @@ impl StepGoal {
     }
 }
 
-/// The differential equation of an arc, on which contacts keep their states, with its initial point `point` on the path, at the load factor `from`.
+/// The differential equation of an arc, on which contacts keep their states, with its initial point `point` on the path, at the fraction `from` of
+/// the leg.
 pub(super) struct Flow<'s, 'g> {
     arc: Arc<'s, 'g>,
     from: f64,
@@ -86,18 +87,18 @@ pub(super) struct Flow<'s, 'g> {
     sizes: [f64; 2],
 }
 
-/// The load factor `to` and the state at the end of a step, with the works that fingers, friction and load do in this step.
+/// The fraction `to` of the leg and the path point at the end of a step, with the works that fingers, friction and load do in this step.
 #[derive(Debug, Clone)]
 pub(super) struct FlowStep {
     pub(super) to: f64,
-    /// The state at the end of the step, with rates per unit of arclength.
+    /// The path point at the end of the step: forces and twist, with their rates per unit of arclength.
     pub(super) point: PathPoint,
     pub(super) energy: LegEnergy,
-    /// Estimated relative error of the step, by [`Flow::error_size`]. It is roughly the larger of two ratios: error of forces to largest force, and
-    /// error of the twist to largest displacement. Zero for a straight step.
+    /// Estimated relative error of the step, computed by [`Flow::error_size`]. It is roughly the larger of two ratios: error of forces to largest
+    /// force, and error of the twist to largest displacement. Zero for a straight step.
     pub(super) error: f64,
-    /// Whether, anywhere in the step, some contact slipped against its friction force, or the load factor decreased. While the direction of the load
-    /// turns, a decrease of the load factor does not count.
+    /// Whether, anywhere in the step, some contact slipped against its friction force, or λ decreased. While the direction of the load turns, a
+    /// decrease of λ does not count.
     pub(super) backwards: bool,
 }
 
@@ -111,8 +112,8 @@ impl FlowStep {
 }
 
 impl<'s, 'g> Flow<'s, 'g> {
-    /// The differential equation of an arc on which contacts keep the states `states`, with its initial point `point` on the path, at the load factor
-    /// `from`. Arclength is measured along the curve (q/`unit`, λ), with the twist q and the load factor λ.
+    /// The differential equation of an arc on which contacts keep the states `states`, with its initial point `point` on the path, at the fraction
+    /// `from` of the leg. Arclength is measured along the curve (q/`unit`, λ), with the twist q and the fraction λ.
     pub(super) fn new(
         segment: &'s Segment<'g>,
         states: &'s [State],
@@ -151,13 +152,13 @@ impl<'s, 'g> Flow<'s, 'g> {
         Self { arc, from, point, begin, vanishing, sizes }
     }
 
-    /// The direction of the path (rates of twist and load factor) at the start of the step.
+    /// The direction of the path (the rates of the twist and of λ) at the start of the step.
     fn initial_direction(&self) -> Direction {
         Direction { twist: self.point.twist_rate.clone(), factor: self.point.factor_rate }
     }
 
-    /// The largest rate at which the friction force of a sliding contact turns towards its slip, per unit of arclength, see [`Self::relaxations`].
-    /// Zero if all rates are negative.
+    /// The largest rate at which the friction force of a sliding contact turns towards its slip, per unit of arclength. Zero if all
+    /// [`Self::relaxations`] are negative.
     pub(super) fn fastest_relaxation(&self) -> f64 {
         self.relaxations().map(|(_, rate)| rate).fold(0.0, f64::max)
     }
@@ -177,14 +178,14 @@ impl<'s, 'g> Flow<'s, 'g> {
         self.arc.sliding.iter().zip(&self.begin).map(move |(i, friction)| (*i, rate((i, friction))))
     }
 
-    /// Makes a step of the arclength `length`. If the load factor at its end is within the distance `goal.near` of `goal.factor`, the step is
-    /// extended to end at this factor. `None` if the integration does not converge, if friction forces cannot be put back onto their cones, or if the
-    /// path has no unique direction.
+    /// Makes a step of the arclength `length`. If λ at its end is within the distance `goal.near` of `goal.factor`, the step is extended to end at
+    /// `goal.factor`. `None` if the integration does not converge, if friction forces cannot be put back onto their cones, or if the path has no
+    /// unique direction.
     pub(super) fn step(&self, length: f64, goal: StepGoal, rule: Rule) -> Option<FlowStep> {
         let mut backwards = false;
         let mut rate = |y: &[f64], out: &mut [f64]| self.rate(y, out).map(|back| backwards |= back);
         let [load, works] = self.places();
-        // The works of fingers, friction and load, and the sum of their absolute values, are integrated together with the state.
+        // The works of fingers, friction and load, and the sum of their absolute values, are integrated together with forces and twist.
         let mut first = vec![0.0; works + 4];
         rate(&first.clone(), &mut first)?;
         let size = |error: &[f64]| self.error_size(error, length);
@@ -208,7 +209,7 @@ impl<'s, 'g> Flow<'s, 'g> {
         let direction = self.arc.direction(&tangents, factor, &self.initial_direction())?;
         let stays = |factor: f64| (factor - goal.factor).abs() <= goal.near;
         // If the integrated step ends farther than `near` from its goal, friction forces are corrected onto their cones. This correction also changes
-        // the load factor, which may then be within the distance `near` of the goal.
+        // λ, which may then be within the distance `near` of the goal.
         let arrived = if stays(factor) {
             None
         } else {
@@ -241,9 +242,8 @@ impl<'s, 'g> Flow<'s, 'g> {
         Some(FlowStep { to, point, energy, error, backwards })
     }
 
-    /// Indices, from 0 in the list of integrated variables, of the load factor and of the first of four works. The list begins with two friction
-    /// components for each sliding contact, then the twist and the load factor. Then come the works of fingers, friction and load, and the sum of
-    /// their absolute values.
+    /// Indices, from 0 in the list of integrated variables, of λ and of the first of four works. The list begins with two friction components for
+    /// each sliding contact, then the twist and λ. Then come the works of fingers, friction and load, and the sum of their absolute values.
     fn places(&self) -> [usize; 2] {
         let load = 2 * self.begin.len() + self.size().count();
         [load, load + 1]
@@ -260,8 +260,7 @@ impl<'s, 'g> Flow<'s, 'g> {
     }
 
     /// Writes the rates of all integrated variables, per unit of arclength, to `out`; `y` are their changes since the start of the step. Returns
-    /// whether a contact slips against its friction force or, unless the load turns, the load factor decreases. `None` if the path has no unique
-    /// direction.
+    /// whether a contact slips against its friction force or, unless the load turns, λ decreases. `None` if the path has no unique direction.
     fn rate(&self, y: &[f64], out: &mut [f64]) -> Option<bool> {
         let [load, works] = self.places();
         let segment = self.arc.segment;
@@ -293,8 +292,9 @@ impl<'s, 'g> Flow<'s, 'g> {
         turnover += fingers.abs() + worked.map(f64::abs).sum();
         out[works..].copy_from_slice(&[fingers, heat, worked.sum(), turnover]);
         let is_straight = matches!(segment.trajectory, Trajectory::Straight { .. });
-        // A decrease of the load factor by less than 1e-8 per unit of arclength does not count. So near to a maximum of the load factor, the load
-        // factor differs from the maximum by less than 1e-16 of a leg.
+        // A rate λ' above -1e-8 per unit of arclength does not count as a decrease. The path turns by about 1 rad per unit of arclength. At the
+        // distance s beyond a maximum λ* of λ, λ' is therefore about -s, and λ about λ* - s²/2. At the rate λ' = -1e-8, λ is below its maximum by
+        // less than 1e-16, i.e. by rounding.
         Some(backwards > 0.0 || is_straight && direction.factor < -1e-8)
     }
 
@@ -307,8 +307,8 @@ impl<'s, 'g> Flow<'s, 'g> {
         })
     }
 
-    /// Work that the commanded fingers do, per unit of the load factor: the sum of F·a' over the contacts. F is the contact force, and a' the rate of
-    /// the offset of the contact's springs. `y` are the changes of all integrated variables since the start of the step.
+    /// Work that the commanded fingers do, per unit of λ: the sum of F·a' over the contacts. F is the contact force, and a' the rate of the offset of
+    /// the contact's springs. `y` are the changes of all integrated variables since the start of the step.
     fn power_of_fingers(&self, y: &[f64]) -> f64 {
         let [load, _] = self.places();
         let (moved, further) = (self.twist_change(y), y[load]);
@@ -330,7 +330,7 @@ impl<'s, 'g> Flow<'s, 'g> {
         sum
     }
 
-    /// Relative size of the integration error `error` of all variables in a step of arclength `length`: the largest of several ratios. Errors of
+    /// Relative magnitude of the integration error `error` of all variables in a step of arclength `length`: the largest of several ratios. Errors of
     /// friction forces and of the load are compared with the largest force, the error of the twist with the largest displacement.
     fn error_size(&self, error: &[f64], length: f64) -> f64 {
         let count = self.size().count();
@@ -350,8 +350,8 @@ impl<'s, 'g> Flow<'s, 'g> {
         (norm(&others[..count]) / travel).max(of_forces / force).max(of_load / force).max(of_themselves)
     }
 
-    /// The step from the starting point of this arc to the load factor `goal`, if its arclength is less than `most`. `None` if sixty trials do
-    /// not find it or a trial fails.
+    /// The step from the starting point of this arc to the fraction `goal` of the leg, if its arclength is less than `most`. `None` if sixty trials
+    /// do not find it or a trial fails.
     pub(super) fn step_to_factor(&self, goal: f64, most: f64, rule: Rule) -> Option<FlowStep> {
         let (mut low, mut high) = (0.0, most);
         let mut length = (goal - self.from) / self.point.factor_rate;
@@ -359,7 +359,7 @@ impl<'s, 'g> Flow<'s, 'g> {
             if !(length > low && length < high) {
                 length = 0.5 * (low + high);
             }
-            // After sixteen trials a step may end farther from the goal and still be extended to it, see [`StepGoal::after`].
+            // After sixteen trials a step may end farther from the goal and still be extended to it (up to 1e-9 of the leg, by [`StepGoal::after`]).
             let goal_here = StepGoal::after(goal, trial);
             // The allowed error of an implicit rule is multiplied by these factors in turn, since rounding may prevent smaller errors.
             let mut rules = [1.0, 10.0, 100.0, 1000.0].into_iter().map(|times| rule.with_larger_error(times));

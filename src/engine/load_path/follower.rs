@@ -1,6 +1,7 @@
 //! The interface of the two methods that follow a load program: piece by piece (a piece is a part of a leg with fixed contact states), or in steps. A
-//! leg is a section of the load program; at an event contacts change their states. Motions are small as long as rotations, slips and openings stay
-//! below the limits of the settings. A drive, the spring of a joint or tendon of a hand, is treated like a contact.
+//! leg is a section of the load program; at an event contacts change their states (open, sticking or sliding). Motions are small as long as
+//! rotations, slips and openings stay below the limits of the settings. A drive, the spring of a joint or tendon of a hand with its force limit, is
+//! treated like a contact.
 
 use core::fmt::Debug;
 
@@ -29,7 +30,7 @@ pub(crate) enum Advance<T> {
 }
 
 /// The contact forces at the present point of a path, and `rates`, the complementarity problem for the rates of forces and motion there (rate
-/// problem). The solution of the rate problem decides whether contacts on the edge of their cones stick, slide or open.
+/// problem). The solution of the rate problem decides whether contacts on the boundary of their cones stick, slide or open.
 #[derive(Debug)]
 pub(crate) struct StateAtEdge<'g> {
     pub(super) segment: Segment<'g>,
@@ -65,7 +66,7 @@ pub(crate) trait Follower<'g>: Debug {
     fn forces(&self, run: &ProgramRun<'g>) -> Vec<SVector<f64, 3>>;
 
     /// The contact forces, and the complementarity problem for the rates of forces and motion, at the present point of the path. In this problem
-    /// contacts on the edge of their cones may slide or open.
+    /// contacts on the boundary of their cones may slide or open.
     fn edge(&self, run: &ProgramRun<'g>) -> StateAtEdge<'g>;
 
     /// The situation beyond the end of the path, if the path ended in a jump: friction fell to its kinetic value at constant load, and no equilibrium
@@ -74,7 +75,7 @@ pub(crate) trait Follower<'g>: Debug {
         None
     }
 
-    /// Estimated relative error of all steps so far, see [`LoadPath::step_error`](super::LoadPath::step_error); zero without steps.
+    /// Estimated relative error of all steps so far; zero without steps.
     fn step_error(&self) -> f64 {
         0.0
     }

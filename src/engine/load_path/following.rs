@@ -1,4 +1,4 @@
-//! A load program together with its follower (the method in progress that advances along the program): the start, the change of legs, and the end. A
+//! A load program together with its follower, the part of a load path that advances along the program: the start, the change of legs, and the end. A
 //! leg is a section of the program, along which load and commands change to given values.
 
 use core::fmt::Debug;
@@ -19,11 +19,11 @@ use crate::object::Problem;
 use crate::prelude::*;
 use crate::search::{Settings, settle};
 
-/// A load path: the load program in progress, the follower (the method in progress that advances along the program), and the end of the path.
+/// A load path: the load program, its follower, and the end of the path.
 #[derive(Debug)]
 pub(crate) struct Following<'g, F> {
     pub(super) run: ProgramRun<'g>,
-    /// The method in progress; `None` if no equilibrium was found from which the path could start.
+    /// The follower; `None` if no equilibrium was found from which the path could start.
     pub(super) follower: Option<F>,
     end: Option<PathEnd<3>>,
 }
@@ -40,7 +40,8 @@ impl<'g, F: Follower<'g>> Following<'g, F> {
         Self::of(ProgramRun::new(grasp, start, settings)?, legs, begin)
     }
 
-    /// Starts the path of the load program `run`, which has no legs yet, along the legs `legs`; otherwise as [`Self::start`].
+    /// Starts the path of the load program `run`, which has no legs yet, along the legs `legs`. `begin` makes the follower at the equilibrium at the
+    /// start. An error of `begin`, such as that no equilibrium exists, becomes the end of the path.
     pub(super) fn of(
         mut run: ProgramRun<'g>,
         legs: &[Leg<3>],

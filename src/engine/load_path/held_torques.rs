@@ -1,5 +1,5 @@
-//! Changes, along a load program, of the torques that hold the joints of a hand. Such a torque does not depend on the displacement of its joint, as
-//! in a clamp whose screw is tightened. The program consists of legs (sections), along which loads, commands and torques change linearly.
+//! Changes, along a load program, of the constant torques on torque-driven joints of a hand. Such a torque does not depend on the displacement of its
+//! joint, as in a clamp whose screw is tightened. The program consists of legs (sections), along which loads, commands and torques change linearly.
 
 use alloc::borrow::Cow;
 use alloc::sync::Arc;
@@ -11,7 +11,7 @@ use crate::numerics::{Each, IntoList, Vector};
 use crate::prelude::*;
 
 impl<const C: usize> Leg<C> {
-    /// A leg along which the torques that hold the joints of a hand change by `change`, one number for each joint: N m, or N for a prismatic joint.
+    /// A leg along which the constant torques on the joints of a hand change by `change`, one number for each joint: N m, or N for a prismatic joint.
     /// After the joints comes one number, N, for each contact with a given [constant force](crate::grasp::Contact::force): the change of this force.
     /// Inside the crate such a contact is moved by a prismatic joint of its own.
     ///
@@ -37,17 +37,20 @@ impl<const C: usize> Leg<C> {
         Self::STAY.and_torques_by(change)
     }
 
-    /// A leg at whose end the torques `torques` hold the joints, in the order of [`Self::torques_by`].
+    /// A leg at whose end the constant torques on the joints are `torques`: one number for each joint, N m, or N for a prismatic joint. After the
+    /// joints comes one number, N, for each contact with a given constant force: this force.
     pub fn torques_to(torques: impl IntoIterator<Item = f64>) -> Self {
         Self::STAY.and_torques_to(torques)
     }
 
-    /// This leg with one more change: along it the torques that hold joints change by `change`, see [`Self::torques_by`].
+    /// This leg with one more change: along it the constant torques on joints change by `change`, with the entries of [`Self::torques_by`]: joints,
+    /// then contacts with a given constant force.
     pub fn and_torques_by(self, change: impl IntoIterator<Item = f64>) -> Self {
         Self { torques: LegGoal::By(change.into_iter().list()), ..self }
     }
 
-    /// This leg with one more change: at its end the torques that hold joints are `torques`, see [`Self::torques_by`].
+    /// This leg with one more change: at its end the constant torques on joints are `torques`, with the entries of [`Self::torques_by`]: joints, then
+    /// contacts with a given constant force.
     pub fn and_torques_to(self, torques: impl IntoIterator<Item = f64>) -> Self {
         Self { torques: LegGoal::To(torques.into_iter().list()), ..self }
     }
@@ -76,7 +79,8 @@ impl<const C: usize> Leg<C> {
     }
 }
 
-/// The torques that hold all joints at the beginning and at the end of the present leg; `None` if no leg so far changes them.
+/// The constant torques on all joints at the beginning and at the end of the present leg. `None` if no leg so far changes them: the torques of the
+/// hand then act.
 #[derive(Debug, Clone, Default)]
 pub(super) struct HeldTorques(Option<Arc<[Vec<f64>; 2]>>);
 
@@ -93,8 +97,8 @@ impl HeldTorques {
         self.0 = Some(Arc::new(both));
     }
 
-    /// The torques that hold the joints, minus the torques before the load program, as generalised forces on the coordinates of the grasp. One vector
-    /// for the beginning of the leg, one for its end. `None` if no leg so far changes them.
+    /// The constant torques on the joints, minus the torques before the load program, as generalised forces on the coordinates of the grasp. One
+    /// vector is for the beginning of the leg, one for its end. `None` if no leg so far changes them.
     pub(super) fn inside(&self, grasp: &Engine) -> Option<[Vector; 2]> {
         let (torques, linkage) = self.0.as_ref().zip(grasp.linkage())?;
         Some([0, 1].each(|end| {
@@ -107,12 +111,13 @@ impl HeldTorques {
         }))
     }
 
-    /// The torques that hold all joints: at the beginning of the leg if `end` is 0, at its end if `end` is 1. Empty if no leg so far changes them.
+    /// The constant torques on all joints: at the beginning of the leg if `end` is 0, at its end if `end` is 1. Empty if no leg so far changes them.
     pub(super) fn at_end(&self, end: usize) -> &[f64] {
         self.0.as_ref().map_or(&[], |torques| &torques[end])
     }
 
-    /// The grasp `grasp` with its joints held by the torques at a fraction of the leg; `grasp` itself if no leg so far changes them.
+    /// The grasp `grasp` with the constant torques that act on its joints at the fraction `fraction` of the leg; `grasp` itself if no leg so far
+    /// changes them.
     pub(super) fn apply<'g>(&self, grasp: Cow<'g, Engine>, fraction: f64) -> Cow<'g, Engine> {
         let Some(torques) = &self.0 else { return grasp };
         let [from, to] = &**torques;

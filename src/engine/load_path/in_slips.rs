@@ -1,11 +1,12 @@
-//! Follows a growing load while contacts stick or slide, with the slips of the sliding contacts as unknowns. The question `hold` (does the grasp hold
-//! a load?) uses this method if every contact has Coulomb friction. The grasp must have no joints, further bodies, suction cups or kinetic friction.
-//! Along a ramp the load is a base load, which acts from the start, plus λ times another load. The onset is the first slip. Motions are small within
-//! limits of rotation and slip up to which the linear theory is trusted.
+//! Follows a growing load while contacts stick or slide, with the slips of the sliding contacts as unknowns of the equations. The question `hold`
+//! (does the grasp hold a load?) uses this method if every contact has Coulomb friction. The grasp must have no joints, further bodies, suction cups
+//! or kinetic friction. Along a ramp the load is a base load, which acts from the start, plus the load factor λ times another load. The onset is the
+//! load factor at which the first contact ceases to stick. Motions are small within limits of rotation and slip up to which the linear theory is
+//! trusted.
 //!
-//! As long as no contact opens or closes, forces F and motion are affine in the load factor λ and in the slips s_j. F_i⁰ is the force on contact i
-//! under the base load, and F_i¹ its rate, both without slip. The matrix R_ij is the change of F_i per unit slip of contact j, N/m, if everything
-//! else sticks. A contact slips along its friction force,
+//! As long as no contact opens or closes, forces F and motion are affine in λ and in the slips s_j. F_i⁰ is the force on contact i under the base
+//! load, and F_i¹ its rate per unit of λ, both without slip. The matrix R_ij is the change of F_i per unit slip of contact j, N/m, if everything else
+//! sticks. A contact slips along its friction force,
 //!
 //! ```text
 //! F_i = F_i⁰ + λ F_i¹ + Σ_j R_ij s_j,     s_j' = γ_j p_j,     p_j = F_t,j / |F_t,j|
@@ -13,9 +14,9 @@
 //!
 //! and the slip rates γ_j and λ' are such that the margins `μ F_n - |F_t|` of all sliding contacts stay zero. Thus there is one equation for each
 //! sliding contact, where an [arc](super::arc) has one for each coordinate. Arclength is measured along the curve of the slips, divided by a unit of
-//! slip, and the load factor. The path ends at a fold (a maximum of the load factor) or a corner (no contact states continue it). In some cases the
-//! functions of this file return `None`, and the caller follows a load path instead. This happens if a contact may slide before the onset, a slip
-//! ends, a contact opens, events coincide, or the path may continue in several ways.
+//! slip, and of λ. The path ends at a fold (a maximum of λ) or a corner (no contact states continue it). In some cases the functions of this file
+//! return `None`, and the caller follows a load path instead. This happens if not everything clearly sticks under the base load, a sliding contact
+//! stops, a contact opens, changes of contact states coincide, or the path may continue in several ways.
 
 use nalgebra::SVector;
 
@@ -113,10 +114,10 @@ impl Engine {
 const MOST_STEPS: usize = 64;
 
 impl Slips<'_> {
-    /// Follows the load from the state `at` until the path ends, and writes the contacts that slide and the end of the path to `path`. `at`
-    /// lists the factors of the forces F⁰, F¹ and R of the head of this file: the number 1, the load factor, and two slip components of each
-    /// sliding contact, m. At first no contact slides, and the load factor is the factor at which the contact `first` begins to slide. Returns
-    /// the state at the end of the path, or `None` in cases that are left to a `LoadPath`.
+    /// Follows the load from the path point `at` until the path ends, and writes the contacts that slide and the end of the path to `path`. `at`
+    /// lists the factors of the forces F⁰, F¹ and R of the head of this file: the number 1, the load factor, and two slip components of each sliding
+    /// contact, m. At first no contact slides, and the load factor is the onset, at which the contact `first` begins to slide. Returns the path point
+    /// at the end of the path, or `None` in cases that are left to a `LoadPath`.
     fn run(
         &mut self,
         (mut at, first): (Vec<f64>, usize),
@@ -173,9 +174,9 @@ impl Slips<'_> {
         }
     }
 
-    /// Adds a contact that has reached the edge of its cone to the sliding contacts, and computes the rates of load factor and slips. Returns `Held`
-    /// if the path continues with these rates, and `Lost` if no rates of forces and motion satisfy the contact laws. `None` if rounding leaves open
-    /// which is true, or if `MOST_SLIDING` contacts slide already.
+    /// Adds a contact that has reached the boundary of its cone to the sliding contacts, and computes the rates of load factor and slips. Returns
+    /// `Held` if the path continues with these rates, and `Lost` if no rates of forces and motion satisfy the contact laws. `None` if rounding leaves
+    /// open which is true, or if `MOST_SLIDING` contacts slide already.
     fn begins_to_slide(
         &mut self,
         contact: usize,
@@ -220,7 +221,7 @@ impl Slips<'_> {
             }
             return Some(SlipEnd::Held);
         }
-        // The path may instead continue with only some of the sliding contacts slipping. Bit i of `combination`, from 0, is set if the contact
+        // The path may instead continue in which only some of the contacts in `sliding` slip. Bit i of `combination`, from 0, is set if the contact
         // `sliding[i]` slips; otherwise this contact sticks. A combination continues the path if no slip rate is negative and no margin `μ F_n -
         // |F_t|` decreases. If some combination may continue the path, `None` is returned, and the caller follows a load path.
         let holds = |combination: usize| {
@@ -241,15 +242,16 @@ impl Slips<'_> {
         if along.abs() <= NEGLIGIBLE * summed(slips, &|slip| slip.abs()) {
             return None;
         }
-        // With the computed rates forces balance the load, but contacts slip opposite to their friction forces, which the contact law forbids. At the
-        // loss the object moves along the reversed motion, in which the slips have the directions of the friction forces.
+        // With the computed rates forces balance the load, but contacts slip opposite to their friction forces, which the contact law forbids. The
+        // reversed motion, in which the slips have the directions of the friction forces, is the motion of the object at the loss.
         let twist = self.twist(rates);
         let motion = &twist * (1.0_f64.copysign(along) / twist.norm());
         self.loss_of_kind(LossKind::Corner, at, &motion, ramp)
     }
 
-    /// The end of the path at the state `at` as a loss of the kind `kind`, a fold or a corner. At this loss the object begins to move along `motion`.
-    /// `None` if the object would come to rest in another equilibrium under a slightly larger load, or for a malformed ramp.
+    /// The end of the path at the path point `at` as a loss of the kind `kind`, a fold or a corner. At this loss the object begins to move along
+    /// `motion`. `None` for a malformed ramp, or if the object, in the model of `snapping_over`, comes to rest in another equilibrium under a
+    /// slightly larger load.
     fn loss_of_kind(&self, kind: LossKind, at: &[f64], motion: &Vector, ramp: &Ramp<3>) -> Option<SlipEnd> {
         if self.snaps_over(at, ramp) != Some(false) {
             return None;
@@ -271,8 +273,8 @@ impl Slips<'_> {
         Some(SlipEnd::Lost(Box::new(loss.leaving(self.grasp, Some(motion)))))
     }
 
-    /// Whether the object comes to rest in another equilibrium under a load factor slightly larger than that of the state `at`. The object moves in
-    /// the artificial model of `snapping_over`, in which viscous dampers act at the contacts. `None` for a malformed ramp.
+    /// Whether the object comes to rest in another equilibrium under a load factor slightly larger than that of the path point `at`. The object moves
+    /// in the artificial model of `snapping_over`, in which viscous dampers act at the contacts. `None` for a malformed ramp.
     fn snaps_over(&self, at: &[f64], ramp: &Ramp<3>) -> Option<bool> {
         let mut change = Vec::new();
         ramp.offset_changes_into(self.grasp, &mut change).ok()?;

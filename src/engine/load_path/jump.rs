@@ -1,6 +1,6 @@
-//! Jumps at constant load: friction falls as a contact begins to slide, nothing resists the object any more, or the object snaps over to another
-//! equilibrium. A jump ends when contacts stop the object. A path ends at a fold (a maximum of the load), a corner (no contact states continue it) or
-//! an asymptote (a load that it approaches but never reaches).
+//! Jumps: motions of the object, at constant load, to another equilibrium. A jump begins if friction falls as a contact begins to slide, if nothing
+//! resists the object any more, or if the object snaps over. A path ends at a fold (a maximum of the load), a corner (no contact states continue it)
+//! or an asymptote (a load that it approaches but never reaches).
 
 use core::fmt;
 
@@ -16,18 +16,18 @@ use crate::prelude::*;
 use crate::serial::AsComputed;
 use crate::words::{Words, listed};
 
-/// A jump from one equilibrium to another under one load. There are three kinds. In the first kind contacts begin to slide, and with [kinetic
-/// friction](crate::grasp::Contact::kinetic) they carry less tangential force.
+/// A jump from one equilibrium to another under one load. There are three kinds. In the first kind, a fall of friction, contacts begin to slide, and
+/// with [kinetic friction](crate::grasp::Contact::kinetic) they carry less tangential force.
 ///
 /// The tangential force that they lose is removed so slowly that other contacts can take it over. Contacts that reach their static friction limit
 /// meanwhile begin to slide, too, and lose force as well. The object comes to rest where forces balance again. It does not overshoot, as if its
 /// motion were overdamped.
 ///
-/// In the second kind nothing resists the object any more, and it moves until the gap of an open contact closes ([`Self::reaches`]). At every point
-/// of this motion forces balance under the same load. The speed at which the gap closes plays no part.
+/// In the second kind, a free motion, nothing resists the object any more, and it moves until the gap of an open contact closes ([`Self::reaches`]).
+/// At every point of this motion forces balance under the same load. The speed at which the gap closes plays no part.
 ///
-/// In the third kind no equilibrium is left near the end of a path, and the object [snaps over](Self::snaps) to another equilibrium. Its motion is
-/// computed as if every spring had a damper in proportion to its stiffness, and does not overshoot either.
+/// In the third kind, a snap, no equilibrium is left near the end of a path, and the object [snaps over](Self::snaps) to another equilibrium. Its
+/// motion is computed as if every spring had a damper in proportion to its stiffness, and does not overshoot either.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -39,12 +39,12 @@ pub struct Jump<const C: usize> {
     pub changes: Vec<ContactChange<C>>,
     /// The contacts that slip in the jump, each with its slip.
     pub slips: Vec<JumpSlip<C>>,
-    /// The contacts whose gaps close at the end of a free motion of the object, in the order of closing. Empty if the object does not move freely in
-    /// the jump.
+    /// The contacts that stop a free motion of the object, because their gaps close. If the jump has several free motions, the contacts are listed in
+    /// the order of these motions. Empty if the object does not move freely in the jump.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub reaches: Vec<ContactLabel>,
-    /// True if the object snaps over to another equilibrium (third kind), from a fold, a corner or an asymptote of its path
-    /// ([`LossKind`](super::LossKind)).
+    /// True if the object snaps over to another equilibrium, from a fold, a corner or an asymptote of its path ([`LossKind`](super::LossKind)). False
+    /// if friction falls, or if nothing resists the object.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "core::ops::Not::not"))]
     pub snaps: bool,
     /// The motion of the object, or of each of several bodies, in the jump.
@@ -82,8 +82,8 @@ impl<const C: usize> fmt::Display for Jump<C> {
             reached.dedup();
             let (moved, words) = (all_inside(&self.moved), words.in_space(words.space::<C>()));
             let farthest = largest(&moved, &BodyMotion::speed);
-            // A body is not named in the sentence if it moves by less than this fraction of the largest motion: its motion is rounding, or too small
-            // to matter.
+            // A body is not named in the sentence if it moves by less than this fraction of the largest motion. Such a motion is only a rounding
+            // error, or too small to matter.
             let moved =
                 picked(&moved, &|body| (body.speed() > 1e-6 * farthest).then(|| words.body_motion(body)));
             return write!(f, "{} to {}", listed(&moved), listed(&reached));

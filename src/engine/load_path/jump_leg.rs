@@ -1,9 +1,10 @@
-//! A jump at constant load: other contacts take over the force that contacts lose when their friction falls from the static to the kinetic value.
-//! Drives of joints and tendons are treated like contacts. A free motion is a motion that nothing resists.
+//! A jump at constant load, i.e. a motion of the object to another equilibrium: other contacts take over the force that contacts lose when their
+//! friction falls from the static to the kinetic value. The drives of a hand (the springs of its joints and tendons, with their force limits) are
+//! treated like contacts. A free motion is a motion that nothing resists.
 //!
 //! Let a contact j leave its static cone with the force F_j. At the same stretch of its springs, its force on the kinetic cone is F_j'. The
-//! difference F_j - F_j' is first applied as an external force. This force is then removed along a separate leg (part of a path), whose load factor τ
-//! grows from 0 to 1, at the same load W and commands. G_i and G_j are the grasp maps:
+//! difference F_j - F_j' is first applied as an external force. This force is then removed along a separate leg (part of a path) at the same load W
+//! and commands. The fraction τ of this leg grows from 0 to 1. G_i and G_j are the grasp maps:
 //!
 //! ```text
 //! Σ G_i F_i + W + (1 - τ) Σ G_j (F_j - F_j') = 0,      τ from 0 to 1
@@ -32,7 +33,6 @@ use crate::object::Problem;
 use crate::prelude::*;
 use crate::search::{Doubt, SearchOutcome, SearchSolution, Settings, settle};
 
-/// A jump at constant load in progress.
 pub(super) struct JumpInProgress<'g> {
     /// The leg of the jump, along which the external force in place of the lost friction is removed.
     pub(super) leg: PiecewiseFollower<'g>,
@@ -61,7 +61,7 @@ impl<'g> JumpInProgress<'g> {
     /// removals and free motions exceeds its limit.
     pub(super) fn run(&mut self, goal: &Vector, run: &ProgramRun<'g>) -> Result<(), PathEnd<3>> {
         // Upper limit of the number of removals of lost friction force and free motions in a jump: sixteen for each contact and drive. Each removal
-        // or free motion loses energy, so that they cannot go on for ever. A larger number could only result from rounding.
+        // or free motion loses energy, so that their number is finite. A number above the limit is taken as a consequence of rounding errors.
         let mut left = 16 * self.record.slid.len();
         loop {
             let begin = match self.advance_to_node(run) {
@@ -118,7 +118,7 @@ impl<'g> JumpInProgress<'g> {
 impl<'g> PiecewiseFollower<'g> {
     /// The leg of the jump that begins when the contacts `begin` start to slide with kinetic friction. The friction forces that they lose are first
     /// applied to the object as an external force, which the leg removes; at its end the load is `goal`. `None` if these contacts have no force to
-    /// lose (their forces are zero, at the apex of their cones): the caller then computes again how the path continues, now with kinetic friction.
+    /// lose, because their forces are zero. Then the caller then computes again how the path continues, now with kinetic friction.
     pub(super) fn leg_of_release(
         &mut self,
         goal: &Vector,
@@ -172,8 +172,8 @@ impl<'g> PiecewiseFollower<'g> {
         Ok(Some(leg))
     }
 
-    /// Makes the jump (motion at constant load) that follows when the contacts `begin` start to slide with kinetic friction. `None` if the list is
-    /// empty, or if these contacts have no force to lose. Returns the end of the path as an error if no equilibrium is reached.
+    /// Makes the jump that follows when the contacts `begin` start to slide with kinetic friction. `None` if the list is empty, or if these contacts
+    /// have no force to lose. Returns the end of the path as an error if no equilibrium is reached.
     pub(super) fn jump(
         &mut self,
         run: &ProgramRun<'g>,
@@ -209,7 +209,7 @@ impl<'g> PiecewiseFollower<'g> {
     }
 
     /// Moves this path to the end of the jump `jump`, under the load `goal`, and returns the jump in the form reported to users. Returns an error if
-    /// the state there is not accurate enough.
+    /// the equilibrium there is not accurate enough.
     pub(super) fn end_jump(
         &mut self,
         run: &ProgramRun<'g>,
@@ -255,8 +255,8 @@ impl<'g> PiecewiseFollower<'g> {
         Ok(Jump { changes, slips, reaches, snaps: false, moved, energy_lost: energy.dissipated, state })
     }
 
-    /// Energies of a jump under the constant load `load`. The jump began with the contact forces `forces` and the twist `twist`, and ended in the
-    /// present state. All work of the load that springs do not take up is dissipated.
+    /// Energies of a jump under the constant load `load`. The jump began with the contact forces `forces` and the twist `twist`, and ended with the
+    /// present ones. All work of the load that springs do not take up is dissipated.
     fn energy_of(&self, load: &Vector, forces: &[SVector<f64, 3>], twist: &Vector) -> LegEnergy {
         let works = load.component_mul(&(&self.node.at.twist - twist));
         let mut energy =

@@ -22,7 +22,7 @@ use crate::prelude::*;
 /// To squeeze the object, a leg changes the commands; to load or unload it, a leg changes the load. A quantity that the leg does not mention keeps
 /// its value. Loads act on the object (N, N m about the origin). Commands are displacements of the fingers in their contact frames (m), the normal
 /// part positive into the object. All points of a soft fingertip follow one command, unless there is one for each point. Loads and commands change in
-/// proportion to the fraction of the leg, from 0 to 1; this fraction is the load factor of the leg.
+/// proportion to the fraction of the leg that is done, from 0 to 1.
 ///
 /// ```
 /// use grasp_lcp::planar::{Contact, Grasp, Leg, Wrench};
@@ -164,7 +164,7 @@ impl<const C: usize> Leg<C> {
         Self::STAY.and_joints_by(change)
     }
 
-    /// A leg at whose end the joint commands of a hand are `commands`, in the order of [`Self::joints_by`].
+    /// A leg at whose end the joint commands of a hand are `commands`: one displacement for each joint and then each tendon, rad or m.
     pub fn joints_to(commands: impl IntoIterator<Item = f64>) -> Self {
         Self::STAY.and_joints_to(commands)
     }
@@ -266,7 +266,7 @@ impl LegLoad<3> {
     }
 }
 
-/// The change of the load along a leg: linear in the load factor, or along a turn.
+/// The change of the load along a leg: linear in the fraction of the leg, or along a turn.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum LegLoad<const C: usize> {
     Straight(LegGoal<Wrench<C>>),
@@ -275,7 +275,7 @@ pub(super) enum LegLoad<const C: usize> {
 }
 
 impl<const C: usize> LegLoad<C> {
-    /// The load as a function of the load factor along this leg, if the leg begins with the load `from`. Also the load at the end of the leg.
+    /// The load as a function of the fraction of this leg that is done, if the leg begins with the load `from`. Also the load at the end of the leg.
     pub(super) fn trajectory(&self, from: &Wrench<C>) -> (Trajectory<Wrench<C>>, Wrench<C>) {
         let (rate, to) = match self {
             Self::Straight(LegGoal::Stay) => (Wrench::ZERO, *from),
@@ -291,8 +291,8 @@ impl<const C: usize> LegLoad<C> {
 }
 
 impl<T: Copy + Add<Output = T>> LegGoal<Vec<T>> {
-    /// Advances `commands`, which has the commands (or torques) at the beginning and at the end of a leg, to the next leg. The next leg begins with
-    /// the values at the end of the last leg, and ends at this goal.
+    /// `commands` has the commands (or torques) at the beginning and at the end of a leg; this function moves on to the next leg. The next leg begins
+    /// with the values at the end of the last leg, and ends at this goal.
     pub(super) fn append(&self, commands: &mut [Vec<T>; 2]) {
         commands.swap(0, 1);
         let [from, to] = commands;

@@ -1,7 +1,8 @@
 //! A node of the load path: the point between two pieces (parts of a leg with fixed contact states), i.e. an event or the start of a leg. For each
-//! contact it stores the edges of its cone on which its force lies (its active set). At a node the solution of the rate problem, the complementarity
-//! problem for the rates of forces and motion, determines how the path continues. The load factor is the fraction of the leg that is done; an arc is
-//! a piece on which directions of sliding turn. A drive, the spring of a joint or tendon of a hand, is treated like a contact.
+//! contact it stores the facets of its friction cone on which its force lies (its active set; on the round cone, the tangent plane at the force). At
+//! a node the solution of the rate problem, the complementarity problem for the rates of forces and motion, determines how the path continues. An arc
+//! is a piece on which directions of sliding turn. A drive, the spring of a joint or tendon of a hand with its force limit, is treated like a
+//! contact.
 
 use nalgebra::{Matrix, SVector};
 
@@ -24,19 +25,17 @@ use crate::search::{
     on_the_solution_interval, polish, settle, solution_near, try_states,
 };
 
-/// The rate problem at a node, i.e. the complementarity problem for the rates of forces and motion. `settled` is the outcome of the search for its
-/// solution.
+/// The rate problem at a node. `settled` is the outcome of the search for its solution.
 struct NodeRates<'g> {
-    /// The load factor at which the rates of load and commands in `rates` are taken. It is the load factor of the node or, while the load turns, a
-    /// slightly larger one, see [`Node::decided`].
+    /// The fraction of the leg at which the rates of load and commands in `rates` are taken. It is that of the node or, while the load turns, a
+    /// slightly larger one.
     ahead: f64,
     rates: Problem<'g>,
     settled: SearchOutcome,
     effort: SearchCounts,
 }
 
-/// The state of the path at a node, or at the end of the last piece (part of a leg with fixed contact states). Each list has an entry for each
-/// contact and drive.
+/// What the path stores at a node, or at the end of the last piece. Each list has an entry for each contact and drive.
 #[derive(Debug, Clone)]
 pub(super) struct Node {
     /// Contact states. A slide on the round cone is stored with the direction of its friction force.
@@ -53,13 +52,13 @@ pub(super) struct Node {
     /// Indices of contacts whose slip has ended at this node.
     pub(super) stopped: Vec<usize>,
     pub(super) at: ForcesAndTwist,
-    /// The load factor whose rates of load and commands determined the continuation: the node's load factor or, while the load turns, a slightly
+    /// The fraction of the leg whose rates of load and commands determined the continuation: that of the node or, while the load turns, a slightly
     /// larger one.
     pub(super) ahead: f64,
 }
 
-/// The continuation of the path from a node: the state there with the rates along the next piece, the changes of contact states, and the number of
-/// other ways in which the path could continue.
+/// The continuation of the path from a node: the path point there with the rates along the next piece, the changes of contact states, and the number
+/// of other ways in which the path could continue.
 pub(super) struct NextPiece {
     pub(super) point: PathPoint,
     pub(super) changes: Vec<(usize, Change<3>)>,
@@ -67,8 +66,8 @@ pub(super) struct NextPiece {
 }
 
 impl Node {
-    /// Solves the complementarity problem for the rates of forces and motion at the load factor `factor`. The solution decides the states of all
-    /// contacts on the edge of their cones, and so how the path continues. If there is no solution, the error is the end of the path.
+    /// Solves the rate problem at the fraction `factor` of the leg. The solution decides the states of all contacts on the boundary of their cones,
+    /// and so how the path continues. If there is no solution, the error is the end of the path.
     pub(super) fn continue_path(
         &mut self,
         segment: &mut Segment<'_>,
@@ -92,8 +91,8 @@ impl Node {
         if segment.problem.round {
             slide_where_they_graze(&rates, &mut found);
         }
-        // If all contact forces are zero, several motions solve the rate problem, because a contact found sticking may slide as well. Of all these
-        // motions the path takes the shortest.
+        // If all contact forces are zero, several motions solve the rate problem, because a contact found sticking may slide as well. The path takes
+        // the shortest of these motions.
         if self.at.forces.iter().all(|force| force.norm() == 0.0) {
             found = on_the_solution_interval(&rates, found);
         }
@@ -123,12 +122,12 @@ impl Node {
         Ok(NextPiece { point, changes, other_continuations })
     }
 
-    /// Solves the rate problem at the node, the complementarity problem for the rates of forces and motion. The rates of load and commands are taken
-    /// at the node or, while the load turns, at a slightly larger load factor ("ahead").
+    /// Solves the rate problem at the node. The rates of load and commands are taken at the node or, while the load turns, at a slightly larger
+    /// fraction of the leg ("ahead").
     ///
-    /// While the load turns, a slip may stop, or a force may touch the edge of its cone, exactly at the node. The rates at the node then do not show
-    /// whether the slip reverses or the force leaves the cone; rates slightly ahead do. The load rates for which given states hold form a convex
-    /// cone. So states that hold for the rates at the node and for the rates ahead also hold in between.
+    /// While the load turns, a slip may stop, or a force may touch the boundary of its cone, exactly at the node. The rates at the node then do not
+    /// show whether the slip reverses or the force leaves the cone; rates slightly ahead do. The load rates for which given contact states hold form
+    /// a convex cone. So states that hold for the rates at the node and for the rates ahead also hold in between.
     fn decided<'g>(&self, segment: &Segment<'g>, factor: f64, settings: &Settings) -> NodeRates<'g> {
         let laws = segment.laws_of_rates(&self.active_sets, &self.states);
         let at = |ahead: f64| {
@@ -165,17 +164,17 @@ impl Node {
         }
         match last {
             Some(last) if !segment.problem.round => last,
-            // If no angle gives a solution on the round cone, the rates at the node itself are taken. The load factor of a node at the end of an arc
-            // has the error of the integration steps, so that these rates are as good as rates beyond it.
+            // If no angle gives a solution on the round cone, the rates at the node itself are taken. The fraction of the leg of a node at the end of
+            // an arc has the error of the integration steps, so that these rates are as good as rates beyond it.
             _ => at(factor),
         }
     }
 
-    /// Tries the usual solutions of the rate problem `rates`: all contacts keep their states, or contacts on the edge of their cones slide. Returns
-    /// [`CandidateOutcome::Holds`] with the first of these solutions that meets all conditions of its contact states.
+    /// Tries the usual solutions of the rate problem `rates`: all contacts keep their states, or contacts on the boundary of their cones slide.
+    /// Returns [`CandidateOutcome::Holds`] with the first of these solutions that meets all conditions of its contact states.
     fn guess(&self, segment: &Segment<'_>, factor: f64, rates: &Problem) -> CandidateOutcome {
-        // All contact states may stay as they are only at the start of a leg: within a leg the present state of some contact has just stopped
-        // being valid.
+        // All contact states may stay as they are only at the start of a leg: within a leg the path comes to a node because the present state of some
+        // contact has just ended.
         let as_before =
             (factor == 0.0).then(|| nothing_changes(&segment.problem, rates, &self.states)).flatten();
         if let Some(holds @ CandidateOutcome::Holds(_)) = as_before.map(|states| try_states(rates, states)) {
@@ -203,8 +202,9 @@ impl Node {
     }
 
     /// Opens contacts that touch but gain no force in `found`, the solution of the rate problem. If they stayed closed, their springs would drag the
-    /// object along. The contacts are opened only if the rate problem still has a solution, in which the object moves less. If no contact gains a
-    /// force, and a contact would slide on the round cone, all contacts that may open are opened.
+    /// object along. If no contact gains a force, and a contact slides on the round cone, all contacts that may open are opened, provided that the
+    /// object moves towards none of them. In all other cases the contacts are opened only if the rate problem still has a solution, in which the
+    /// object moves less.
     fn without_dragging(&self, rates: &Problem, found: SearchSolution) -> SearchSolution {
         let largest = found.forces.iter().map(Matrix::norm).fold(rates.wrench.norm(), f64::max);
         // On the round cone a contact slides along its friction force. If all forces are zero up to rounding, sliding has no direction, and contacts
@@ -228,9 +228,9 @@ impl Node {
         if nothing && every_index(states.len(), &comes_no_nearer) {
             return SearchSolution { forces: vec![SVector::zeros(); states.len()], states, ..found };
         }
-        // The solution with opened contacts is taken if its motion is shorter, by more than the fraction `NEGLIGIBLE`. If a contact without force
-        // would slide, the solution with opened contacts is taken also if both motions are equally long: the direction of such a slide is only
-        // rounding.
+        // The solution with opened contacts is taken if its motion is shorter, by more than the fraction `NEGLIGIBLE`. If a contact slides in `found`
+        // without force on the round cone, the solution with opened contacts is taken also if both motions are equally long: the direction of such
+        // sliding is only rounding.
         let rubs =
             rates.round && any_index(states.len(), &|i| states[i].is_open() && found.states[i].slides());
         let most = if rubs { 1.0 + NEGLIGIBLE } else { 1.0 - NEGLIGIBLE };
@@ -240,7 +240,7 @@ impl Node {
         }
     }
 
-    /// Sets the states of all contacts to those in `found`, the solution of the rate problem `rates`. Returns the changes of state, each with the
+    /// Sets the states of all contacts to those in `found`, the solution of the rate problem `rates`. Returns the changes of states, each with the
     /// index of its contact or drive.
     pub(super) fn apply_rates(
         &mut self,
@@ -258,8 +258,8 @@ impl Node {
             let is = is.unwrap_or(Mode::Open);
             self.starts_at_apex |= is.slide().is_some() && matches!(rates.laws[i], Law::Cone { .. });
             if was.is_open() && !is.is_open() {
-                // The contact closes at the present position of its finger, and its friction starts from zero. The displacement of the surfaces
-                // past each other so far is therefore stored as slip.
+                // The contact closes at the present position of its finger, and its friction starts from zero. The tangential displacement of the
+                // surfaces so far is therefore stored as slip.
                 segment.remember_slip(i, factor, &self.at.twist, &SVector::zeros());
             }
             if let Mode::Round(slide) = &is {
@@ -272,8 +272,8 @@ impl Node {
     }
 }
 
-/// Changes the state of contacts of `found` from sticking to sliding if their force, on the edge of the round cone, moves along a tangent of the
-/// cone. A straight tangent leads out of a round cone, so that the contact cannot stick, see [`LocalLaw::grazes`](crate::contact::LocalLaw::grazes).
+/// Changes the state of contacts of `found` from sticking to sliding if their force, on the boundary of the round cone, moves along a tangent of the
+/// cone. A straight tangent leads out of a round cone, so that the contact cannot stick ([`LocalLaw::grazes`](crate::contact::LocalLaw::grazes)).
 fn slide_where_they_graze(rates: &Problem, found: &mut SearchSolution) {
     let largest = found.forces.iter().map(Matrix::norm).fold(rates.wrench.norm(), f64::max);
     for (i, state) in found.states.iter_mut().enumerate() {

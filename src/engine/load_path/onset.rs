@@ -1,6 +1,8 @@
 //! The onset, i.e. the load factor or angle at which the first contact stops sticking as a load grows or turns, as an answer for the caller. The
 //! offset of a contact's springs is the command of its finger (a displacement) minus clearance and accumulated slip. A ramp is a load or a command
-//! that grows in proportion to a load factor. A drive, the spring of a joint or tendon of a hand, is treated like a contact.
+//! that grows in proportion to a load factor. A drive, the spring of a joint or tendon of a hand with its force limit, is treated like a contact. The
+//! active set of a contact consists of the facets of its friction cone that its force has reached. On the round cone the tangent plane at the force
+//! takes the place of a facet.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -25,7 +27,7 @@ pub enum Onset<const C: usize> {
     At(Box<OnsetEvent<C>>),
     /// Everything keeps sticking at every load factor; for a turn, at every angle up to the last angle.
     Never,
-    /// A contact slides already at load factor 0, in this equilibrium. (A contact on the edge of its cone still sticks, and may begin to slide at
+    /// A contact slides already at load factor 0, in this equilibrium. (A contact on the boundary of its cone still sticks, and may begin to slide at
     /// load factor 0.)
     AlreadySliding(Box<Equilibrium<C>>),
     /// No equilibrium exists at load factor 0.
@@ -76,22 +78,21 @@ pub struct OnsetEvent<const C: usize> {
     pub load: Wrench<C>,
     /// The contacts that stop sticking, all at this load factor. Contacts that have closed before and stick are not among them.
     pub leaving: Vec<DepartingContact<C>>,
-    /// Drives of a hand that change their state at the onset: drives of joints and tendons that yield at their greatest torque or force, and tendons
-    /// that slacken.
+    /// Changes of a hand's drives at the onset: joints and tendons whose drives yield at their greatest torque or force, and tendons that slacken.
     pub drives: Vec<PartChange>,
     /// The friction cone for which the event was computed.
     pub cone: Cone,
-    /// The engine's state at the onset, from which the equilibrium at the onset and its continuation are computed on request.
+    /// The engine's equilibrium at the onset. The caller's equilibrium and its continuation are computed from it on request.
     pub(super) local: StickingState,
 }
 
-/// The state at an onset, in which everything that touches sticks and some contacts are on the edge of their cones. The rates of the load and of
-/// the offsets of the contacts' springs are per unit of the load factor. Moments are about the centroid of the contacts.
+/// The equilibrium at an onset, in which everything that touches sticks and some contacts are on the boundary of their cones. The rates of the load
+/// and of the offsets of the contacts' springs are per unit of the load factor. Moments are about the centroid of the contacts.
 #[derive(Debug, Clone)]
 pub(super) struct StickingState {
     pub(super) found: StoredSolution,
     pub(super) rule: FoundBy,
-    /// For each contact or drive its active set: the edges of its cone that its force has reached.
+    /// For each contact or drive its active set. An empty set means that its force lies inside its cone.
     pub(super) active_sets: Vec<ActiveSet>,
     /// Indices of the contacts and drives that stop sticking.
     pub(super) leaving: Vec<usize>,
@@ -104,9 +105,8 @@ pub(super) struct StickingState {
 }
 
 impl OnsetEvent<3> {
-    /// The onset at the load factor `factor`, made from the caller's load and the solution `found` at this load factor. The active sets are the edges
-    /// of friction cones that forces have reached. `leaving` and `sites` are the contacts and drives that stop sticking. `lists` are emptied lists
-    /// whose memory is reused.
+    /// The onset at the load factor `factor`, made from the caller's load and the solution `found` at this load factor. `leaving` and `sites` are the
+    /// contacts and drives that stop sticking. `lists` are emptied lists whose storage is used again.
     pub(super) fn new(
         segment: Segment<'_>,
         (factor, load): (f64, Wrench<3>),
@@ -143,9 +143,9 @@ impl DepartingContact<3> {
         Self { contact: ContactLabel { index: site, point: None, name: None, link: None }, how }
     }
 
-    /// As [`Self::new`], with the way in which the contact stops sticking derived from the edges of the cone that its force has reached. The
-    /// contact slides along the sum of the outward normals of these edges. At the apex (zero force) it opens, or would have to pull. Used if no
-    /// continuation determines the direction of its slip.
+    /// The contact or drive with the index `site`, whose way to stop sticking follows from its active set: the contact slides along the sum of the
+    /// outward normals of the facets that its force has reached. At the apex (zero force) it opens, or would have to pull if it is kept closed. Used
+    /// if no continuation determines the direction of its slip.
     pub(super) fn driven_out(
         site: usize,
         active: &ActiveSet,
@@ -195,7 +195,7 @@ pub enum Departure<const C: usize> {
     },
     /// The contact opens, F_n = 0.
     Opens,
-    /// The contact is kept closed, and its normal force has fallen to F_n = 0. Beyond the onset it would have to pull, and while it pulls it cannot
-    /// have a friction force.
+    /// The contact is kept closed, and its normal force has fallen to F_n = 0. If it stayed closed beyond the onset, it would have to pull, and while
+    /// it pulls it cannot have a friction force.
     WouldPull,
 }

@@ -1,7 +1,7 @@
-//! An onset is the load at which a contact stops sticking for the first time. This file has the margins m (`μ F_n - |F_t|`, N) that vanish at an
-//! onset, and the derivatives of the onset's load factor τ. If a change of the data (stiffness, friction and others) changes a margin by dm, τ
-//! changes by `dτ = -dm / m'`. Here m' is the rate of the margin along the ramp. Along a ramp the load is a base load plus τ times a given load, and
-//! commands change in proportion to τ. A drive, the spring of a joint or tendon of a hand, is treated like a contact.
+//! The margins m (`μ F_n - |F_t|`, N) that vanish at an onset, and the derivatives of the onset. The onset is the load factor τ at which the first
+//! contact stops sticking. If a change of the data (stiffness, friction and others) changes a margin by dm, τ changes by `dτ = -dm / m'`. Here m' is
+//! the rate of the margin along the ramp. Along a ramp the load is a base load plus τ times a given load, and commands change in proportion to τ. A
+//! drive, the spring of a joint or tendon of a hand with its force limit, is treated like a contact.
 
 use nalgebra::SVector;
 
@@ -55,7 +55,7 @@ struct Margin {
 
 impl<'g> OnsetMargins<'g> {
     /// The margins at the onset `event`. `None` if a contact with friction closed before the onset, or closes at the onset and slides. `None` also if
-    /// the grasp has another number of contacts than `event`.
+    /// the grasp and `event` have different numbers of contacts.
     pub(crate) fn new(grasp: &'g Engine, event: &OnsetEvent<3>) -> Option<Self> {
         let StickingState { found, slips, offset_rates, wrench_rate, leaving, .. } = &event.local;
         let found = found.found();
@@ -89,9 +89,8 @@ impl<'g> OnsetMargins<'g> {
     }
 
     /// The derivative of the onset's load factor with respect to one datum (such as a friction coefficient), for each contact or drive of
-    /// [`Self::leavers`]. Its unit is the inverse of the datum's unit, for the base load 1/N and 1/(N m). `None` if
-    /// [`Sensitivity::of`](crate::ask::Sensitivity::of) has no derivative of the forces, for example because a load does work along a motion that no
-    /// spring resists.
+    /// [`Self::leavers`]. Its unit is the inverse of the datum's unit. `None` if [`Sensitivity::of`](crate::ask::Sensitivity::of) has no derivative
+    /// of the forces, for example because a load does work along a motion that no spring resists.
     #[must_use]
     pub fn by(&self, parameter: Parameter) -> Option<Vec<f64>> {
         let change = self.response.derivative(&self.state, parameter)?;

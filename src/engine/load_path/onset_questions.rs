@@ -1,10 +1,10 @@
 //! The onset (first slip or opening) under a load that grows, found without stepping. The base load acts from the start, and the load of the question
-//! grows in addition. Drives of joints and tendons are treated like contacts.
+//! grows in addition. The drives of a hand (the springs of its joints and tendons, with their force limits) are treated like contacts.
 //!
 //! While everything sticks, forces are affine in the load factor, `F(τ) = F⁰ + τ F¹`. Two linear solves give the forces F⁰ under the base load and
-//! their rate F¹. The onset is the smallest τ at which a contact reaches the edge of its cone. Each facet of a polygonal cone gives a linear equation
-//! for τ, the round cone a quadratic one. The onset is the first pivot of Lemke's method with the load as covering vector. An open contact may close
-//! before the onset. Such a contact starts with F_t = 0, and sticks if the rate of its force lies in its cone.
+//! their rate F¹. The onset is the smallest τ at which a contact reaches the boundary of its cone. Each facet of a polygonal cone gives a linear
+//! equation for τ, the round cone a quadratic one. The onset is the first pivot of Lemke's method with the load as covering vector. An open contact
+//! may close before the onset. Such a contact starts with F_t = 0, and sticks if the rate of its force lies in its cone.
 
 use super::beyond::{Beyond, EquilibriumEnd, beyond_end, continuation};
 use super::end_of_path::leaving_motions;
@@ -28,13 +28,12 @@ use crate::prelude::*;
 use crate::search::{FoundBy, SearchCounts, SearchOutcome, SearchSolution, Settings, settle, settle_at_rest};
 
 impl Engine {
-    /// Implements [`Grasp::onset`](crate::ask::Grasp::onset).
     pub(crate) fn onset(&self, ramp: &Ramp<3>, settings: &Settings) -> Result<Onset<3>, Error> {
         self.onset_in_memory(ramp, settings, &mut OnsetMemory::default())
     }
 
-    /// Implements [`OnsetWorkspace::onset`](crate::ask::OnsetWorkspace::onset), which reuses the memory of the last onset and of its answer
-    /// `returned`.
+    /// The onset along `ramp`, computed in the scratch buffers `memory`. The storage of the caller's last answer `returned` is used again for the new
+    /// answer.
     pub(crate) fn onset_in(
         &self,
         ramp: &Ramp<3>,
@@ -49,8 +48,8 @@ impl Engine {
         self.onset_in_memory(ramp, settings, memory)
     }
 
-    /// As [`Self::onset`], but also returns the result of the search for the equilibrium under the base load, so that a load path can start from this
-    /// equilibrium. `None` if the onset was found without this search.
+    /// The onset along `ramp`, and the result of the search for the equilibrium under the base load, so that a load path can start from this
+    /// equilibrium. This result is `None` if the onset was found without the search.
     pub(crate) fn onset_from_rest(
         &self,
         ramp: &Ramp<3>,
@@ -103,7 +102,7 @@ impl Engine {
         TurnOnset { onset, touches: walk.touches.into_iter().filter_map(touch).list() }
     }
 
-    /// Implements [`Grasp::state_at_onset`](crate::ask::Grasp::state_at_onset).
+    /// The equilibrium at the onset `event`; `None` if `event` and the grasp have different numbers of contacts and drives.
     pub(crate) fn state_at_onset(
         &self,
         event: &OnsetEvent<3>,
@@ -115,7 +114,7 @@ impl Engine {
         Some(self.equilibrium(&problem, &event.load, found, rule, &SearchCounts::default(), answer_for))
     }
 
-    /// Implements [`Grasp::beyond`](crate::ask::Grasp::beyond).
+    /// The situation just beyond the onset `event`; `None` if `event` and the grasp have different numbers of contacts and drives.
     pub(crate) fn beyond(&self, event: &OnsetEvent<3>, settings: &Settings) -> Option<Beyond<3>> {
         let problem = self.problem_at_onset(event)?;
         let local = &event.local;
@@ -134,7 +133,7 @@ impl Engine {
         Some(beyond_end(&segment, &rates, (settled, &effort), &end, settings))
     }
 
-    /// The static problem at the onset `event`; `None` if `event` has another number of contacts and drives than the grasp.
+    /// The static problem at the onset `event`; `None` if `event` and the grasp have different numbers of contacts and drives.
     pub(super) fn problem_at_onset(&self, event: &OnsetEvent<3>) -> Option<Problem<'_>> {
         let local = &event.local;
         if local.found.states.len() != self.sites().len() {

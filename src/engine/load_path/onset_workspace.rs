@@ -1,6 +1,7 @@
-//! Memory that the computation of one onset passes on to the computation of the next onset. An onset is the load factor at which a contact stops
-//! sticking for the first time. The base load acts from the start, and the load of the question, times a growing load factor, in addition. A drive,
-//! the spring of a joint or tendon of a hand, is treated like a contact. The twist is the motion of the object, of joints and of further bodies.
+//! Scratch buffers (lists whose storage is used again) that the computation of one onset passes on to the computation of the next; in the code they
+//! are called memory. The onset is the load factor at which the first contact stops sticking. The base load acts from the start, and the load of the
+//! question, times a growing load factor, in addition. A drive, the spring of a joint or tendon of a hand with its force limit, is treated like a
+//! contact. The twist is the motion of the object, of joints and of further bodies.
 
 use alloc::sync::Arc;
 
@@ -18,7 +19,7 @@ use crate::object::{ForcesAndTwist, Load, ProblemLists, SolutionMemory};
 use crate::prelude::*;
 use crate::search::Settings;
 
-/// The lists that the computation of an onset needs. Their memory is reused by the next computation; only `rest` is a result.
+/// The scratch buffers for the computation of an onset, which the next computation uses again. Only `rest` is a result.
 #[derive(Debug, Clone, Default)]
 pub(super) struct OnsetMemory {
     pub(super) lists: ProblemLists,
@@ -38,8 +39,8 @@ pub(super) struct OnsetMemory {
     pub(super) leaving: Vec<DepartingContact<3>>,
     /// Indices of the contacts and drives that stop sticking.
     pub(super) sites: Vec<usize>,
-    /// Memory for those parts of three vectors that belong to joints and further bodies, in this order: twist, load and load rate at the onset. The
-    /// parts that belong to the object itself need no memory of this kind, since their number is fixed.
+    /// Scratch buffers for those parts of three vectors that belong to joints and further bodies, in this order: twist, load and load rate at the
+    /// onset. The parts that belong to the object itself need no such buffers, since their number is fixed.
     pub(super) coordinates: [Vec<f64>; 3],
     place: Option<Box<OnsetEvent<3>>>,
     /// The result of the search for the equilibrium under the base load; `None` if the last onset was found without this search.
@@ -48,7 +49,7 @@ pub(super) struct OnsetMemory {
 
 impl OnsetMemory {
     /// A [`Segment`] along which the load follows `trajectory`, before any contact has slipped. The rates of the offsets of the contacts' springs are
-    /// taken from the field `change` of this memory.
+    /// taken from the field `change`.
     pub(super) fn segment<'g>(
         &mut self,
         grasp: &'g Engine,
@@ -82,8 +83,7 @@ impl OnsetMemory {
         }
     }
 
-    /// Puts an event into the box that [`Self::reclaim`] last took back, so that the memory of the box is reused. Without such a box it makes a
-    /// new one.
+    /// Puts an event into the box that [`Self::reclaim`] last took back, so that its storage is used again. Without such a box it makes a new one.
     pub(super) fn put(&mut self, event: OnsetEvent<3>) -> Box<OnsetEvent<3>> {
         match self.place.take() {
             Some(mut place) => {

@@ -1,6 +1,6 @@
-//! The choice of step lengths along an arc, a piece of the path on which directions of sliding turn. A leg is a section of the load program; the load
-//! factor is the fraction of it that is done. A node is an event or the start of a leg. Arclength is measured along the curve (q/u, λ), with the
-//! twist q, a unit u of displacement and the load factor λ.
+//! The choice of step lengths along an arc, a piece of the path on which directions of sliding turn. A leg is a section of the load program. A node
+//! is an event (a change of contact states) or the start of a leg. Arclength is measured along the curve (q/u, λ), with the twist q, a unit u of
+//! displacement and the fraction λ of the leg that is done.
 
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
@@ -18,10 +18,9 @@ const LEAST_RATIO: f64 = 0.2;
 /// counters.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Pace {
-    /// Arclength of the next step. `None` right after a node (an event or the start of a leg): the rates at the node then determine the length.
+    /// Arclength of the next step. `None` right after a node: the rates at the node then determine the length.
     pub(super) length: Option<f64>,
-    /// The displacement, m, that counts as much in the arclength as one unit of the load factor, see [`super::arclength`]. `None` before the first
-    /// step from a node (an event or the start of a leg).
+    /// The unit u of displacement, m, which counts as much in the arclength as a change of λ by 1. `None` before the first step from a node.
     pub(super) unit: Option<f64>,
     /// Number of steps refused since the last accepted step.
     refused: u8,
@@ -30,7 +29,7 @@ pub(super) struct Pace {
     /// Number of explicit steps still to be made before implicit steps are considered.
     explicit_steps_left: u8,
     pub(super) steps: usize,
-    /// Number of times that the allowed error of a step was raised since the last node (event or start of a leg).
+    /// Number of times that the allowed error of a step was raised since the last node.
     times_raised: u8,
     /// The allowed error of a step divided by the error that the caller's settings allow; 1 until it is raised because steps are too short.
     pub(super) error_factor: f64,
@@ -51,7 +50,7 @@ impl Pace {
         }
     }
 
-    /// The data of the step control after a node (event or start of a leg): only the number of steps so far is kept, everything else begins anew.
+    /// The data of the step control after a node: only the number of steps so far is kept, everything else begins anew.
     pub(super) fn at_node(self) -> Self {
         Self { steps: self.steps, ..Self::new() }
     }
@@ -73,7 +72,7 @@ impl Pace {
     /// Records an accepted step of arclength `length`, whose error is the fraction `part` of the allowed error, and chooses the length of the next
     /// step. A step that was shortened (`cut`) to end at an event does not make the next step shorter.
     pub(super) fn accept(&mut self, length: f64, part: f64, cut: bool) {
-        // The next step is at most five times as long as this step, or no longer at all if this step was tried before with a larger length and
+        // The next step is at most five times as long as this step. It is no longer than this step if a longer step was tried in its place and
         // refused.
         let longest = if self.refused > 0 { 1.0 } else { 5.0 };
         let next = length * (CAUTION * part.powf(-1.0 / ERROR_ORDER)).clamp(LEAST_RATIO, longest);
@@ -83,8 +82,8 @@ impl Pace {
         self.steps += 1;
     }
 
-    /// Whether explicit steps are so short that implicit steps should be made. Two conditions must hold. No more explicit steps are due
-    /// (`explicit_steps_left`). The arclength `rest` up to the end of the leg is more than fifty times `stable`, the longest stable explicit step.
+    /// Whether explicit steps are so short that implicit steps should be made. Two conditions must hold. No explicit steps are left in
+    /// `explicit_steps_left`. The arclength `rest` up to the end of the leg is more than fifty times `stable`, the longest stable explicit step.
     pub(super) fn needs_implicit_steps(&self, stable: f64, rest: f64) -> bool {
         // An implicit step costs the computing time of a few explicit steps, but may cover the arclength of hundreds.
         self.explicit_steps_left == 0 && stable * 50.0 < rest

@@ -1,7 +1,7 @@
 //! [`Path`]: a load program being followed, from event to event or in numerical steps. The program consists of legs (sections); a piece is a part of
 //! a leg on which all contacts keep their states. A place is the index of a leg and the fraction of it that is done. The object snaps over if it
-//! jumps from a place at which the path of equilibria ends to another equilibrium. Motions are small within the limits up to which the linear theory
-//! is trusted. The engine computes with vectors of three components, also in the plane.
+//! moves at almost constant load from a place at which the path of equilibria ends to another equilibrium. Motions are small within the limits up to
+//! which the linear theory is trusted. The engine computes with vectors of three components, also in the plane.
 
 use crate::numerics::IntoList;
 use core::fmt;
@@ -25,7 +25,7 @@ use crate::search::Settings;
 /// iterator has ended, [`end`](Self::end) says how the path ended.
 ///
 /// `T` is the type of the items: events of a [`LoadPath`], or steps of a [`SteppedPath`]. A [`LoadPath`] takes acceptable time for some hundreds of
-/// contacts, a [`SteppedPath`] for 10⁵. The contact law is the same for both: contacts stick, slide with memory of their slip, open and close again.
+/// contacts, a [`SteppedPath`] for 10⁵. The contact law is the same for both: contacts stick, slide (their slips accumulate), open and close again.
 #[derive(Debug)]
 pub struct Path<'g, const C: usize, T>(pub(super) Box<dyn AnyPath<C, T> + 'g>);
 
@@ -62,15 +62,15 @@ pub type LoadPath<'g, const C: usize> = Path<'g, C, Event<C>>;
 /// A load program being followed in steps: an iterator over its [`Step`]s, so that the caller can inspect each step and stop after any. Made by
 /// [`Grasp::follow_in_steps`](crate::ask::Grasp::follow_in_steps); when the iterator has ended, [`end`](Self::end) says how the path ended.
 ///
-/// The contact law is the same as for a [`LoadPath`] on the round cone, with slip memory: contacts stick, slide in directions that turn, open and
-/// close again. The path does not return the events of contacts one by one; [`state`](Self::state) returns the equilibrium at the present place.
+/// The contact law is the same as for a [`LoadPath`] on the round cone: contacts stick, slide in directions that turn (their slips accumulate), open
+/// and close again. The path does not return the events of contacts one by one; [`state`](Self::state) returns the equilibrium at the present place.
 pub type SteppedPath<'g, const C: usize> = Path<'g, C, Step<C>>;
 
 /// A path of the engine, whose vectors have three components, for a caller whose vectors have `C` components.
 struct ConvertedPath<'g, const C: usize, T: Face> {
     inside: Box<dyn AnyPath<3, T::Inside> + 'g>,
     end: Option<PathEnd<C>>,
-    /// Memory in which legs added by the caller are converted to three components.
+    /// Scratch buffer in which legs added by the caller are converted to three components.
     legs: Vec<Leg<3>>,
 }
 
@@ -168,7 +168,7 @@ impl<'g, const C: usize, T> Path<'g, C, T> {
         Self(path)
     }
 
-    /// The end of the path; `None` while there is more to follow. `Completed` may become `None` again, see [`Self::continue_with`].
+    /// The end of the path; `None` while there is more to follow. `Completed` becomes `None` again if [`Self::continue_with`] appends legs.
     #[must_use]
     pub fn end(&self) -> Option<&PathEnd<C>> {
         self.0.end()
@@ -181,8 +181,8 @@ impl<'g, const C: usize, T> Path<'g, C, T> {
     }
 
     /// The equilibrium at the present place, with residuals recomputed from the grasp, the load and the slip so far. `None` if the path had no
-    /// equilibrium to start from, or if the state cannot be computed because of rounding. The state is returned even if its residuals are large:
-    /// check them. If an event lies exactly at this place, the contact states may be those before or after the event.
+    /// equilibrium to start from, or if the equilibrium cannot be computed because of rounding. It is returned even if its residuals are large: check
+    /// them. If an event lies exactly at this place, the contact states may be those before or after the event.
     #[must_use]
     pub fn state(&self) -> Option<Equilibrium<C>> {
         self.0.state()
@@ -203,13 +203,14 @@ impl<'g, const C: usize, T> Path<'g, C, T> {
     /// Appends legs to the program. A completed path then continues along them; a path that has ended in another way does not continue.
     ///
     /// # Errors
-    /// As for the method that has made the path.
+    /// The errors of the method that has made the path, for legs that do not fit the grasp or have data out of range.
     pub fn continue_with(&mut self, legs: &[Leg<C>]) -> Result<(), Error> {
         self.0.continue_with(legs)
     }
 
     /// Whether another equilibrium exists at loads just beyond the load at which this path lost its equilibrium; `None` if the path has not ended in
-    /// a loss. The search stays within the limits (steps, combinations of states) of the settings of this path, see [`Self::beyond_with`].
+    /// a loss. The search stays within the limits (steps, combinations of states) of the settings of this path; [`Self::beyond_with`] takes other
+    /// limits.
     #[must_use]
     pub fn beyond(&self) -> Option<Beyond<C>> {
         self.0.beyond(None)
@@ -238,8 +239,8 @@ impl<const C: usize> LoadPath<'_, C> {
     /// without such steps, as in the plane and on polygonal friction cones, the sum is zero. The estimated error of each step is below
     /// [`Settings::step_error`], unless rounding prevents so small an error.
     ///
-    /// If events follow each other ever more closely, small gaps, and small distances of contact forces from the edges of their cones, are set to
-    /// zero. The largest of them, relative to the terms from which it is computed, is added to the sum.
+    /// If events follow each other ever more closely, small gaps, and small distances of contact forces from the boundaries of their cones, are set
+    /// to zero. The largest of them, relative to the terms from which it is computed, is added to the sum.
     ///
     /// The estimate for a step is the larger of two ratios: error of forces to largest force, and error of displacements to largest displacement. The
     /// true error is usually smaller. The estimate does not include that an earlier error may grow on later steps, but sliding damps most errors.
@@ -261,8 +262,8 @@ impl<const C: usize> LoadPath<'_, C> {
         self.0.farthest()
     }
 
-    /// As [`Self::run`], but stops after the first piece of the path at which a motion exceeds its limit of small motions. Returns the events up to
-    /// the end of this piece.
+    /// Follows the path to the end of the first piece on which a motion exceeds its limit of small motions, or to the end of the path. Returns the
+    /// events up to there.
     pub fn run_while_small(&mut self) -> Vec<Event<C>> {
         core::iter::from_fn(|| self.0.next_small()).list()
     }
@@ -281,9 +282,9 @@ impl<const C: usize> LoadPath<'_, C> {
     }
 
     /// The equilibrium at a fraction (0 to 1) of a leg (from 0) that the path has passed or has reached; `None` for a place that it has not reached.
-    /// If an event lies exactly at this place, the state is the equilibrium before the event. If directions of sliding turn, the integration step is
+    /// If an event lies exactly at this place, the equilibrium before the event is returned. If directions of sliding turn, the integration step is
     /// repeated up to this fraction with the same error bound. `None` if that fails because of rounding. `None` also while the object snaps over,
-    /// i.e. jumps to another equilibrium: between the load at which it leaves the path and the slightly larger load at which it rests again.
+    /// i.e. moves to another equilibrium: between the load at which it leaves the path and the slightly larger load at which it rests again.
     #[must_use]
     pub fn state_at(&self, leg: usize, fraction: f64) -> Option<Equilibrium<C>> {
         self.0.state_at(leg, fraction)

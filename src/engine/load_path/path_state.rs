@@ -1,7 +1,7 @@
-//! The state of contacts at a node of the load path (an event, or the start of a leg): active sets and slip memory. The active set of a contact
-//! consists of the edges of its cone on which its force lies. Slip memory is the accumulated slip of each contact. A leg is a section of the load
-//! program; the load factor is the fraction of it that is done. A piece is a part of a leg with fixed contact states; an arc is a piece on which
-//! directions of sliding turn. At the apex of its cone a contact force is zero.
+//! What the load path stores of contacts at a node (an event, or the start of a leg): active sets and accumulated slips. The active set of a contact
+//! consists of the facets of its friction cone on which its force lies. On the round cone the tangent plane at the force takes the place of a facet.
+//! A leg is a section of the load program. A piece is a part of a leg with fixed contact states; an arc is a piece on which directions of sliding
+//! turn. At the apex of its cone a contact force is zero.
 
 use crate::numerics::{IntoList, Vector};
 use nalgebra::{Matrix, SVector};
@@ -19,9 +19,8 @@ use crate::object::{ForcesAndTwist, Problem, least_spring_force};
 use crate::prelude::*;
 use crate::search::SearchSolution;
 
-/// Whether load and all contact forces are at most as large as the force that rounding of the displacements causes in the softest spring.
-/// Rounding alone would then determine which contacts press, so no contact is treated as pressing. In a problem for rates, load, forces and
-/// motions are rates.
+/// Whether load and all contact forces are at most as large as the force that rounding of the displacements causes in the softest spring. If so,
+/// rounding alone determines which contacts press, and no contact is treated as pressing. In a problem for rates, load, forces and motions are rates.
 pub(super) fn forces_are_rounding(problem: &Problem<'_>, forces: &[SVector<f64, 3>], twist: &Vector) -> bool {
     let largest = forces.iter().map(Matrix::norm).fold(problem.wrench.norm(), f64::max);
     // `ROUNDED_SUM` is the rounding error of a sum of about sixteen terms, relative to its largest term. Below this fraction of the force that the
@@ -29,17 +28,17 @@ pub(super) fn forces_are_rounding(problem: &Problem<'_>, forces: &[SVector<f64, 
     largest <= ROUNDED_SUM * softest_spring_force(problem, twist)
 }
 
-/// The force, N, that the displacements of a contact in the equilibrium would cause in its softest spring; the least of these forces over all
-/// contacts. Rounding errors of contact forces are proportional to this least force, however small the contact forces are.
+/// The least force, N, that the displacements in the equilibrium cause in a spring: for each contact its displacement times the stiffness of its
+/// softest spring, and of these forces the least. Rounding errors of contact forces are proportional to this force, however small the contact forces
+/// are.
 pub(super) fn softest_spring_force(problem: &Problem<'_>, twist: &Vector) -> f64 {
     let spans = (0..problem.len()).map(|contact| problem.span(contact, twist));
     least_spring_force(problem.sites, spans)
 }
 
 impl Node {
-    /// The node at the start of the path, in the equilibrium `found`. The active sets are the edges of friction cones that forces have reached. They
-    /// are derived from forces and gaps, since the search for an equilibrium does not return them. The slip of sliding contacts in `found` becomes
-    /// slip memory.
+    /// The node at the start of the path, in the equilibrium `found`. The active sets are derived from forces and gaps, since the search for an
+    /// equilibrium does not return them. The slip of sliding contacts in `found` becomes their accumulated slip.
     pub(super) fn at_start(segment: &mut Segment<'_>, found: SearchSolution) -> Self {
         let n = segment.problem.len();
         let mut node = Self {
@@ -70,9 +69,9 @@ impl Node {
         self.states.iter().any(|state| state.slide().is_some())
     }
 
-    /// Forces, twist, gaps and their rates at a load factor, in the contact states of this node. Along motions that no spring resists, the object
-    /// moves at the twist rate `pushed`, because contacts that touch without force push it. Returns an error if forces cannot balance the load or its
-    /// rate.
+    /// Forces, twist, gaps and their rates at the fraction `factor` of the leg, in the contact states of this node. Along motions that no spring
+    /// resists, the object moves at the twist rate `pushed`, because contacts that touch without force push it. Returns an error if forces cannot
+    /// balance the load or its rate.
     pub(super) fn point_at(
         &self,
         segment: &Segment<'_>,
@@ -86,8 +85,8 @@ impl Node {
         }
     }
 
-    /// Adds the slip of sliding contacts up to the load factor `factor` to their accumulated slip. On the round cone the direction of the
-    /// present friction force is stored in the state and the active set of each sliding contact.
+    /// Adds the slip of sliding contacts up to the fraction `factor` of the leg to their accumulated slip. On the round cone the direction of the
+    /// present friction force is stored in the contact state and the active set of each sliding contact.
     fn slip_until_now(&mut self, segment: &mut Segment<'_>, factor: f64) {
         for i in 0..self.states.len() {
             if self.states[i].slides() {
@@ -115,16 +114,16 @@ impl Node {
         }
     }
 
-    /// Adds to the active set of each contact in `reached` the edge or apex of the cone that the contact's force has reached: there the contact stops
-    /// sticking or sliding. A gap that has closed counts as the apex (zero force), since the contact starts without force.
+    /// Adds to the active set of each contact in `reached` the facet or the apex of the cone that the contact's force has reached: there the contact
+    /// stops sticking or sliding. A gap that has closed counts as the apex (zero force), since the contact starts without force.
     pub(super) fn add_exits(&mut self, axes: usize, reached: &ExitsReached) {
         for (i, exits) in reached {
             self.active_sets[*i].add_exits(axes, &self.states[*i], exits);
         }
     }
 
-    /// Moves the node to the end of a piece of the path, at the load factor `factor`. `point` is the beginning of the piece and `end` its end.
-    /// The slip on the piece is added to the accumulated slip.
+    /// Moves the node to the end of a piece of the path, at the fraction `factor` of the leg. `point` is the beginning of the piece and `end` its
+    /// end. The slip on the piece is added to the accumulated slip.
     pub(super) fn move_to_end(
         &mut self,
         segment: &mut Segment<'_>,
@@ -151,8 +150,8 @@ impl Node {
         self.slip_until_now(segment, factor);
     }
 
-    /// While the load turns, removes from active sets the edges from which contact forces have moved away since the last event. The rates at
-    /// that event did not show that these forces would move away.
+    /// While the load turns, removes from active sets the facets from which contact forces have moved away since the last event. The rates at that
+    /// event did not show that these forces would move away.
     fn drop_by_force(&mut self, segment: &Segment<'_>, point: &PathPoint, factor: f64) {
         let offsets = segment.offsets(factor);
         for (i, (active, state)) in self.active_sets.iter_mut().zip(&self.states).enumerate() {
@@ -186,8 +185,8 @@ impl Node {
     }
 
     /// Returns the index of a contact that has stopped sliding at this node, if the contact force would leave the friction cone along a tangent while
-    /// the contact sticks. On a straight piece such a contact can neither stick nor slide on: friction would drive its slip instead of opposing it.
-    /// `None` if there is no such contact, on arcs, and while the load turns.
+    /// the contact sticks. On a straight piece such a contact can neither stick nor slide on: if it slid on, friction would drive its slip instead of
+    /// opposing it. `None` if there is no such contact, on arcs, and while the load turns.
     pub(super) fn neither_slides_nor_sticks(
         &self,
         segment: &Segment<'_>,
@@ -201,13 +200,13 @@ impl Node {
         self.stopped.iter().find(leaves).copied().filter(|_| straight)
     }
 
-    /// Called when steps have become too short to advance. A force counts as on the edge of its cone if its distance from the edge is at most 1e-8
-    /// ([`GATHERED_MARGIN`]) of the terms from which the force is computed. A gap counts as closed if it is at most this fraction of its own terms.
-    /// Events nearer to each other than the error of steps thus happen at one point of the path.
+    /// Called when steps have become too short to advance. A force counts as on the boundary of its cone if its distance from the boundary is at most
+    /// 1e-8 ([`GATHERED_MARGIN`]) of the terms from which the force is computed. A gap counts as closed if it is at most this fraction of its own
+    /// terms. Events nearer to each other than the error of steps thus happen at one point of the path.
     ///
-    /// Each gap that is neglected in this way, and each distance of a force from the edge of its cone, is divided by the size of its terms. Returns
-    /// the largest of these ratios, which the caller adds to the error of the path. The caller then computes anew how the path continues. If nothing
-    /// had to be neglected, the caller does so only if contacts slide on the round cone and the load does not turn: the result is then zero.
+    /// Each gap that is neglected in this way, and each distance of a force from the boundary of its cone, is divided by the magnitude of its terms.
+    /// Returns the largest of these ratios, which the caller adds to the error of the path. The caller then computes anew how the path continues. If
+    /// nothing had to be neglected, the caller does so only if contacts slide on the round cone and the load does not turn: the result is then zero.
     /// Otherwise the result is `None`, and the path ends undecided.
     pub(super) fn gather(&mut self, segment: &Segment<'_>, point: &PathPoint) -> Option<f64> {
         let mut apart: Option<f64> = None;

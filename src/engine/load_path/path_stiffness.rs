@@ -1,7 +1,7 @@
 //! The tangent stiffness of the object at a point of a load path, i.e. the matrix that maps a small motion to the change of the generalised forces
 //! that the contacts exert against it. Coordinates are the components of the object's twist, then the displacements of joints and of further bodies.
-//! The load factor is the fraction of a section of the load program that is done. This file also has LU factors of the tangent stiffness with one
-//! more row and column (the bordered matrix). The matrices are full, or band matrices if there are many coordinates.
+//! This file also has LU factors of the tangent stiffness with one more row and column (the bordered matrix). The matrices are full, or band matrices
+//! if there are many coordinates.
 
 use crate::numerics::{
     Band, Bordered, BorderedBand, Each, Size, Square, Vector, mapped, narrow_order, solved_once, widest,
@@ -107,9 +107,9 @@ impl PathStiffness {
     }
 
     /// Solves the bordered linear system once. Its matrix is the tangent stiffness with the column `cover`, the row `gradient` and the corner entry
-    /// `corner` added. `cover` is minus the rate of the load, since the unknown of this column is the load factor. The added row, `gradient · q +
-    /// corner λ = last` with the twist q and the load factor λ, fixes how far the solution advances along the path. The right-hand side is zero,
-    /// except for `last` in the added row. Returns the twist, and the unknown of the added column; `None` if the matrix is nearly singular.
+    /// `corner` added. The unknowns are the twist q and the fraction λ of the leg (section of the load program) that is done. `cover`, the column of
+    /// λ, is minus the rate of the load. The added row, `gradient · q + corner λ = last`, fixes how far the solution advances along the path. The
+    /// right-hand side is zero, except for `last` in the added row. Returns q and λ; `None` if the matrix is nearly singular.
     pub(super) fn solved_once(
         self,
         size: Size,
@@ -131,8 +131,8 @@ impl PathStiffness {
         }
     }
 
-    /// LU factors of the tangent stiffness with the column `cover`, the row `gradient` and the corner entry `corner` added, see
-    /// [`Self::solved_once`]. `None` if this matrix is nearly singular, so that the path may continue in more than one direction.
+    /// LU factors of the bordered matrix: the tangent stiffness with the column `cover`, the row `gradient` and the corner entry `corner` added.
+    /// `None` if this matrix is nearly singular, so that the path may continue in more than one direction.
     pub(super) fn bordered(
         self,
         size: Size,

@@ -1,15 +1,15 @@
 //! Follows a load program piece by piece, from event to event, and finds the exact load of each event. With up to some hundreds of contacts this
 //! takes acceptable time. A leg is a part of the program along which load and commands change linearly, or the load turns. A piece is a part of a leg
-//! on which all contacts keep their states; a node is the point between two pieces. The load factor is the fraction of the leg that is done. A jump
-//! is a motion of the object, at constant load, to another equilibrium. A drive, the spring of a joint or tendon of a hand, is treated like a
-//! contact.
+//! on which all contacts keep their states (open, sticking or sliding). A node is the point between two pieces: an event, at which contact states
+//! change, or the start of a leg. A jump is a motion of the object, at constant load, to another equilibrium. A drive, the spring of a joint or
+//! tendon of a hand with its force limit, is treated like a contact.
 //!
-//! While every contact keeps its state, forces and motions are affine in the fraction of the leg. A ratio test gives the next event: the first point
-//! at which a force leaves its friction cone, a gap closes, or a slip reverses. Under a turning load forces and motions are harmonics of the load's
-//! angle. The next event is then a root of a trigonometric polynomial (see [`super::straight`], [`super::turning_load`]). If a contact slides on a
-//! round cone, its direction of sliding turns along the piece, which is then called an arc (see [`super::turning`]). At an event some contact forces
-//! are on an edge or at the apex of their friction cones, or gaps have just closed. The rates of forces and motion solve a complementarity problem
-//! for these contacts. Its solution determines the next piece; without a solution the path ends.
+//! While every contact keeps its state, forces and motions are affine in the fraction of the leg that is done. A ratio test gives the next event: the
+//! first point at which a force leaves its friction cone, a gap closes, or a slip reverses ([`super::straight`]). Under a turning load forces and
+//! motions are harmonics of the load's angle. The next event is then a root of a trigonometric polynomial ([`super::turning_load`]). If a contact
+//! slides on a round cone, its direction of sliding turns along the piece, which is then called an arc ([`super::turning`]). At an event some contact
+//! forces are on the boundary or at the apex of their friction cones, or gaps have just closed. The rates of forces and motion solve a
+//! complementarity problem for these contacts. Its solution determines the next piece; without a solution the path ends.
 
 use nalgebra::SVector;
 
@@ -40,38 +40,39 @@ use crate::object::{ForcesAndTwist, Problem};
 use crate::prelude::*;
 use crate::search::{Doubt, Settings};
 
-/// The follower of a [`LoadPath`], which advances piece by piece. It stores the fraction of the present leg that is done (the load factor
-/// `factor`) and all pieces that the path has passed.
+/// The follower of a [`LoadPath`], which advances piece by piece. It stores the fraction of the present leg that is done (`factor`) and all pieces
+/// that the path has passed.
 #[derive(Debug)]
 pub(crate) struct PiecewiseFollower<'g> {
     pub(super) factor: f64,
     pub(super) segment: Segment<'g>,
     pub(super) node: Node,
-    /// Whether the path is at a node (an event or the start of a leg) from which its continuation is still to be computed.
+    /// Whether the path is at a node from which its continuation is still to be computed.
     pub(super) at_node: bool,
     pub(super) point: Option<PathPoint>,
-    /// All pieces that the path has passed so far, the first one first, jumps (motions at constant load) included.
+    /// All pieces that the path has passed so far, the first one first, jumps included.
     pub(super) behind: Vec<StoredPiece<'g>>,
     pub(super) energy: Vec<LegEnergy>,
-    /// Number of the latest pieces in a row that did not advance the path: each was no longer than the rounding error of its own length. More than 64
-    /// such pieces mean that rounding makes the path cycle between two continuations, see `straight`.
+    /// Number of the latest pieces in a row that did not advance the path: each was no longer than the rounding error of its own length. After more
+    /// than 64 such pieces, rounding is taken to make the path cycle between two continuations.
     pub(super) stalls: usize,
     pub(super) pace: Pace,
-    /// The load factor at which events closer to each other than the error of a step were last treated as one event; NaN if there were none on this
-    /// leg.
+    /// The fraction of the leg at which events closer to each other than the error of a step were last treated as one event; NaN if there were none
+    /// on this leg.
     pub(super) gathered: f64,
-    /// The load factor at which slips last ended on an arc of this leg, and the contacts whose slips ended there. NaN if none has ended yet.
+    /// The fraction of the leg at which slips last ended on an arc of this leg, and the contacts whose slips ended there. NaN if none has ended yet.
     pub(super) stopped: (f64, Vec<usize>),
-    /// Number of times that the object has snapped over (jumped to another equilibrium) on this leg, and the load factor at which the object came to
-    /// rest after the last of these jumps.
+    /// Number of times that the object has snapped over (moved to another equilibrium at the end of a path of equilibria) on this leg. Also the
+    /// fraction of the leg at which it last came to rest after that.
     pub(super) snapped: SnapCount,
     /// Sum of the estimated relative errors of the path so far: errors of integration steps along arcs, on which directions of sliding turn, and
     /// errors made by treating close events as one event.
     pub(super) step_error: f64,
-    /// An event to return before all others, if a contact slides at the start of the path: its friction falls from the static to the kinetic value.
+    /// An event to return before all others, if a contact slides at the start of the path and its friction therefore falls from the static to the
+    /// kinetic value.
     pub(super) first: Option<Box<Event<3>>>,
-    /// The static problem at the load of a jump (motion at constant load) that led to no equilibrium. Slips and friction are those at the end of the
-    /// jump. `None` if no jump has failed.
+    /// The static problem at the load of a jump that led to no equilibrium. Slips and friction are those at the end of the jump. `None` if no jump
+    /// has failed.
     pub(super) failed_jump: Option<Problem<'g>>,
     /// The point of the path at which a motion first exceeded its limit of small motions; `None` if no motion has exceeded its limit so far.
     pub(super) end_of_small_motions: Option<EndOfSmallMotions>,
@@ -80,7 +81,6 @@ pub(crate) struct PiecewiseFollower<'g> {
 }
 
 impl Engine {
-    /// Implements [`Grasp::follow`](crate::ask::Grasp::follow).
     pub(crate) fn follow(
         &self,
         start: &Wrench<3>,
@@ -90,8 +90,8 @@ impl Engine {
         Ok(Path::new(Box::new(Following::start(self, (start, legs), settings, PiecewiseFollower::at_start)?)))
     }
 
-    /// As [`Self::follow`], but without a search for the first equilibrium if `rest` is given. `rest` is the result of this search, if the
-    /// computation of an onset under the same load `start` and with the same settings has made it already.
+    /// The load path from the load `start` along `legs`. `rest` is the result of the search for the first equilibrium, if the computation of an onset
+    /// under the same load and with the same settings has made this search already.
     pub(crate) fn follow_from_rest(
         &self,
         (start, rest): (&Wrench<3>, Option<SearchAtRest>),
@@ -200,7 +200,7 @@ impl<'g> PiecewiseFollower<'g> {
         Ok(path)
     }
 
-    /// A follower at load factor 0 of a segment (a leg or a part of it), before any piece of the path.
+    /// A follower at the beginning of a segment (a leg or a part of it), before any piece of the path.
     pub(super) fn at_segment_start(segment: Segment<'g>, node: Node) -> Self {
         Self {
             factor: 0.0,
@@ -232,8 +232,8 @@ impl<'g> PiecewiseFollower<'g> {
         Ok(if leg_done? { Advance::EndOfLeg } else { Advance::OnTheWay })
     }
 
-    /// The first stored piece that contains the fraction `fraction` of the leg `leg`. `None` if the path has not passed this fraction. Also
-    /// `None` between the load factor at which the object snaps over and the slightly larger load factor at which it rests again.
+    /// The first stored piece that contains the fraction `fraction` of the leg `leg`. `None` if the path has not passed this fraction. Also `None`
+    /// between the fraction of the leg at which the object snaps over and the slightly larger one at which it rests again.
     pub(super) fn piece_behind(&self, leg: usize, fraction: f64) -> Option<&StoredPiece<'g>> {
         self.behind.iter().find(|s| s.leg == leg && fraction >= s.from && fraction <= s.to)
     }
@@ -299,15 +299,15 @@ impl<'g> PiecewiseFollower<'g> {
         worst <= ACCURATE || largest * worst.min(1.0) <= self.rounding_of_forces()
     }
 
-    /// The size, N, up to which contact forces at the present point of the path count as rounding errors. It is 1e-12 ([`WEIGHTLESS`]) of the larger
-    /// of two forces: the largest force on the path so far, and the force that the displacements would cause in the softest spring.
+    /// The magnitude, N, up to which contact forces at the present point of the path count as rounding errors. It is 1e-12 ([`WEIGHTLESS`]) of the
+    /// larger of two forces. These are the largest force on the path so far, and the least force that the displacements cause in a spring.
     fn rounding_of_forces(&self) -> f64 {
         let springs = softest_spring_force(&self.segment.problem_at(self.factor), &self.node.at.twist);
         WEIGHTLESS * self.segment.largest.max(springs)
     }
 
     /// If the contact forces and the load at the present point of the path are no larger than rounding errors, sets the contact forces to zero. If
-    /// they were kept, the signs of rounding errors would decide which contacts press.
+    /// they were not set to zero, the signs of rounding errors would decide which contacts press.
     pub(super) fn let_go_of_rounding(&mut self) {
         let most =
             largest(&self.node.at.forces, &SVector::norm).max(self.segment.trajectory.at(self.factor).norm());

@@ -1,5 +1,6 @@
 //! A load program in progress: its legs, and the loads and commands at the beginning and the end of the present leg. Along a leg, load and commands
-//! change linearly, or the load turns. The drives of joints and tendons of a hand have commands, too, and are treated like contacts.
+//! change linearly, or the load turns. The drives of a hand (the springs of its joints and tendons, with their force limits) have commands, too, and
+//! are treated like contacts.
 
 use alloc::sync::Arc;
 
@@ -24,7 +25,7 @@ pub(super) struct Program {
     done: usize,
     /// The index of the present leg among all legs, from 0. When all legs are complete, it equals their number.
     pub(super) leg: usize,
-    /// The load as a function of the load factor, the fraction of the present leg.
+    /// The load as a function of the fraction of the present leg that is done.
     pub(super) trajectory: Trajectory<Wrench<3>>,
     /// The program's load at the end of the present leg.
     goal: Wrench<3>,
@@ -36,9 +37,10 @@ pub(super) struct Program {
     names: Vec<Arc<str>>,
     /// The loads on single bodies, in addition to the program's load, at the beginning and at the end of the present leg.
     pub(super) bodies: BodyLoads,
-    /// The constant torques that hold the joints of the hand, in addition to its drives, before the program begins, N m or N.
+    /// The constant torques on the joints of the hand before the program begins, N m or N. They act in addition to the drives.
     held: Vec<f64>,
-    /// The torques that hold the joints, at the beginning and at the end of the present leg; empty as long as no leg has changed them.
+    /// The constant torques on the joints at the beginning and at the end of the present leg. Empty as long as no leg has changed them; until then
+    /// `held` applies.
     pub(super) torques: HeldTorques,
 }
 
@@ -75,7 +77,7 @@ impl Program {
             leg.load.check_beginning(&load, k, grasp.space())?;
             load = leg.load.trajectory(&load).1;
         }
-        // Legs that are complete are removed, so that a program to which legs are added endlessly needs no more memory.
+        // Legs that are complete are removed, so that a program to which legs are added endlessly needs no more storage.
         self.legs.drain(..(self.leg - self.done).min(self.legs.len()));
         self.done = self.leg;
         // Each leg is converted to a leg with one command for each contact point. The checks above have made these legs already, but have not stored
@@ -179,8 +181,8 @@ impl Program {
         grasp.changed_by(to.iter().zip(from).map(|(to, from)| to - from), Some(&of_joints), change);
     }
 
-    /// The sum of the program's load, the loads on bodies and the torques that hold joints. It is a function of the load factor along the present
-    /// leg. Moments are about the centroid of the contacts.
+    /// The sum of the program's load, the loads on bodies and the constant torques on joints, as a function of the fraction of the present leg that
+    /// is done. Moments are about the centroid of the contacts.
     pub(super) fn inside_trajectory(&self, grasp: &Engine) -> Trajectory<Vector> {
         match &self.trajectory {
             Trajectory::Straight { from, rate } => {
@@ -203,7 +205,7 @@ impl Program {
         }
     }
 
-    /// Loads in addition to the program's load: loads on single bodies, and torques that hold joints. Each entry has two vectors of generalised
+    /// Loads in addition to the program's load: loads on single bodies, and constant torques on joints. Each entry has two vectors of generalised
     /// forces, at the beginning and at the end of the present leg; `None` if no leg so far changes these loads.
     fn other_loads(&self, grasp: &Engine) -> [Option<[Vector; 2]>; 2] {
         [self.bodies.inside(grasp), self.torques.inside(grasp)]
@@ -214,7 +216,7 @@ impl Program {
         if self.has_leg() || self.leg == 0 { (self.leg, fraction) } else { (self.leg - 1, 1.0) }
     }
 
-    /// The program's load, as the caller gave it, at a fraction of the present leg.
+    /// The program's load, as the caller gave it, at the fraction `fraction` of the present leg.
     pub(super) fn load_at(&self, fraction: f64) -> Wrench<3> {
         self.trajectory.at(fraction)
     }

@@ -1,6 +1,6 @@
 //! The data that every method of following a load program needs: the grasp, the load program with its legs (sections), and the caller's settings. The
-//! load factor is the fraction of the present leg that is done. The onset is the first slip or opening under a growing load. A drive, the spring of a
-//! joint or tendon of a hand, is treated like a contact.
+//! onset is the load factor at which the first contact ceases to stick. A drive, the spring of a joint or tendon of a hand with its force limit, is
+//! treated like a contact.
 
 use alloc::sync::Arc;
 
@@ -68,9 +68,9 @@ impl<'g> ProgramRun<'g> {
         }
     }
 
-    /// The present leg as a [`Segment`]: loads, and offsets of contact springs, as functions of the load factor (the fraction of the leg that is
-    /// done). `slips` are the accumulated slips at the beginning of the leg. Loads and commands are computed from their values at the ends of legs,
-    /// so that rounding errors do not add up over many legs.
+    /// The present leg as a [`Segment`]: loads, and offsets of contact springs, as functions of the fraction of the leg that is done. `slips` are the
+    /// accumulated slips at the beginning of the leg. Loads and commands are computed from their values at the ends of legs, so that rounding errors
+    /// do not add up over many legs.
     pub(super) fn segment(&self, slips: Vec<SVector<f64, 3>>) -> Segment<'g> {
         let trajectory = self.program.inside_trajectory(self.grasp);
         let [mut offsets, change] = self.program.offsets(self.grasp);
@@ -92,7 +92,7 @@ impl<'g> ProgramRun<'g> {
         AnswerFor::of(self.grasp.space(), &self.settings)
     }
 
-    /// The solution `found` of `problem` at a fraction of the present leg, as an equilibrium in the caller's frames, with residuals.
+    /// The solution `found` of `problem` at the fraction `fraction` of the present leg, as an equilibrium in the caller's frames, with residuals.
     pub(super) fn equilibrium(
         &self,
         problem: &Problem<'g>,
@@ -105,8 +105,8 @@ impl<'g> ProgramRun<'g> {
         grasp.equilibrium(problem, &load, found, FoundBy::LoadPath, &effort, self.answer_for())
     }
 
-    /// The loss of equilibrium at a fraction of the present leg. The contacts and drives with the indices `sites` are on the edge of their cones. The
-    /// object leaves with the motion `motion`, about the centroid of the contacts; `None` if it is not known.
+    /// The loss of equilibrium at the fraction `fraction` of the present leg. The contacts and drives with the indices `sites` are on the boundary of
+    /// their cones. The object leaves with the motion `motion`, about the centroid of the contacts; `None` if it is not known.
     pub(super) fn loss(
         &self,
         fraction: f64,

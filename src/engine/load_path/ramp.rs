@@ -1,5 +1,5 @@
-//! A ramp: a load, commands, or both, that change in proportion to one load factor. A command is a prescribed displacement of a finger, or of the
-//! spring of a joint or tendon (a drive).
+//! A ramp: a load, commands, or both, that change in proportion to one load factor. A command is a prescribed displacement of a finger, or of a drive
+//! (the spring of a joint or tendon, with its force limit).
 
 use crate::numerics::{IntoList, mapped};
 use alloc::borrow::Cow;
@@ -13,7 +13,7 @@ use crate::grasp::{Engine, Wrench};
 use crate::prelude::*;
 
 /// A load and commands that change in proportion to a load factor τ >= 0. The load is `base + τ direction`; commands are those of the grasp plus τ
-/// times their given change. τ has no unit: if `direction` is a force of 1 N, τ is the size of this force in newtons.
+/// times their given change. τ has no unit: if `direction` is a force of 1 N, τ is the magnitude of this force in newtons.
 ///
 /// ```
 /// use grasp_lcp::planar::{Ramp, Wrench};
@@ -45,7 +45,8 @@ impl<const C: usize> Ramp<C> {
     }
 
     setters! {
-        /// This ramp, along which the finger commands also change, as for [`Self::commands`].
+        /// This ramp, along which the finger commands also change: `change` has one displacement for each contact per unit of the load factor, in its
+        /// contact frame (m). The normal part is positive into the object.
         pub fn with_commands(mut self, change: impl IntoIterator<Item = impl Into<[f64; C]>>) {
             self.command_change = Some(vectors(change));
         }
@@ -113,7 +114,7 @@ impl Ramp<3> {
         Ok(changes)
     }
 
-    /// Writes the rates of the offsets of springs, as [`Self::offset_changes`] returns them, into the caller's list `changes`.
+    /// Writes the rates of the offsets of springs (command minus clearance), m per unit of the load factor, into the caller's list `changes`.
     pub(super) fn offset_changes_into(
         &self,
         grasp: &Engine,

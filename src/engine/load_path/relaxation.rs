@@ -1,10 +1,11 @@
-//! The derivative J of the rates along an arc (see [`Flow`](super::flow::Flow)) with respect to the friction forces of sliding contacts. An arc is a
+//! The derivative J of the rates along an arc ([`Flow`](super::flow::Flow)) with respect to the friction forces of sliding contacts. An arc is a
 //! piece of the load path on which directions of sliding turn. Implicit steps need J, because friction forces often turn fast towards the directions
 //! of slip.
 //!
-//! T and b are the tangent stiffness and right-hand side of the arc, q is the twist and λ the load factor. Contact i has the grasp map G_i, the
-//! tangent stiffness C_i, the rate s_i of its stretch and the friction force F_t,i. The rate of its offset (commanded displacement minus clearance
-//! and slip) is a_i' per unit of λ. The unit tangent d_i is perpendicular to F_t,i. The quantities s_i', T' and b' are defined by the formulas below.
+//! T and b are the tangent stiffness and right-hand side of the arc, q is the twist and λ the fraction of the leg that is done. Contact i has the
+//! grasp map G_i, the tangent stiffness C_i, the rate s_i of its stretch and the friction force F_t,i. The rate of its offset (commanded displacement
+//! minus clearance and slip) is a_i' per unit of λ. The unit tangent d_i is perpendicular to F_t,i. The quantities s_i', T' and b' are defined by the
+//! formulas below.
 //!
 //! A change Δ_i of the friction force turns it by the angle φ_i = d_i·Δ_i / |F_t,i| towards d_i. This changes C_i, and thus the rate C_i s_i of the
 //! contact's own force. To keep forces in balance, the rates of q and λ change as well, by δq and δλ, which affects all contacts. J is given by
@@ -34,7 +35,7 @@ use crate::prelude::*;
 struct SlidingContact {
     contact: usize,
     tangent: Tangent,
-    /// Size of the friction force, |F_t|, N.
+    /// Magnitude of the friction force, |F_t|, N.
     size: f64,
     /// The unit tangent d perpendicular to the friction force, towards which it can turn; zero for a contact without friction force.
     across: SVector<f64, 3>,
@@ -57,7 +58,7 @@ pub(super) struct Relaxation<'f, 's, 'g> {
     contacts: Vec<SlidingContact>,
     /// The tangent stiffness T of the object, with all contacts in their present states and directions of sliding.
     stiffness: PathStiffness,
-    /// The right-hand side b of `T q' = b λ'` at the start of the step, with the twist q and the load factor λ.
+    /// The right-hand side b of `T q' = b λ'` at the start of the step, with the twist q and the fraction λ.
     load: Vector,
     direction: Direction,
 }
@@ -68,14 +69,14 @@ pub(super) struct ImplicitFactors {
     /// LU factors of the matrix `[T' | -b']` with one more row, transverse to the path. T' and b' are the tangent stiffness and the rate of the load,
     /// each with the terms of the implicit step from the head of this file.
     bordered: PathFactors,
-    /// For each sliding contact the divisor `e_i = |F_t,i| - h d_i·v_i` of the formulas at the head of this file, N: the size of its friction force
-    /// minus a term of the implicit step. Here d_i is `SlidingContact::across`, v_i is `SlidingContact::change`, and h is `length`.
+    /// For each sliding contact the divisor `e_i = |F_t,i| - h d_i·v_i` of the formulas at the head of this file, N: the magnitude of its friction
+    /// force minus a term of the implicit step. Here d_i is `SlidingContact::across`, v_i is `SlidingContact::change`, and h is `length`.
     sizes: Vec<f64>,
 }
 
 impl<'f, 's, 'g> Relaxation<'f, 's, 'g> {
     /// The derivative J of the rates with respect to friction forces, at the friction forces `frictions` of the sliding contacts. `direction` is the
-    /// direction of the path (rates of twist and load factor) at the load factor `factor`.
+    /// direction of the path (the rates of the twist and of λ) at the fraction `factor` of the leg.
     pub(super) fn new(
         arc: &'f Arc<'s, 'g>,
         frictions: &[SVector<f64, 3>],
@@ -134,7 +135,7 @@ impl<'f, 's, 'g> Relaxation<'f, 's, 'g> {
     }
 
     /// Solves `(1 - hJ) Δ = g` in place, with the factors in `damped`: `side` holds the right-hand side g before, and Δ after. Its entries are
-    /// changes of friction forces, two for each sliding contact, then of twist and load factor. The last entries are the energies (work and friction
+    /// changes of friction forces, two for each sliding contact, then of the twist and of λ. The last entries are the energies (work and friction
     /// heat) that are integrated along with the path. They stay unchanged, because no rate depends on them.
     pub(super) fn solve(&self, damped: &ImplicitFactors, side: &mut [f64]) {
         let length = damped.length;
@@ -218,7 +219,7 @@ mod tests {
                 arc.direction(&arc.tangents(frictions.iter().copied()), 0.0, &Direction::forward());
             let direction = direction.expect("one direction");
 
-            // Rates of friction forces, twist and load factor after a change of the friction forces.
+            // Rates of friction forces, twist and λ after a change of the friction forces.
             let rates = |y: &[f64]| {
                 let moved = frictions.iter().zip(y.chunks_exact(2));
                 let moved = moved.map(|(f, more)| f + SVector::from([0.0, more[0], more[1]]));

@@ -1,8 +1,8 @@
 //! The motion with which bodies start to move if their load is not in equilibrium and no contact carries a force yet. It is the motion of rigid
 //! bodies under the load, with Coulomb friction at contacts that touch.
 //!
-//! Springs do not determine the motion as long as they carry no force. In the elastic trial, in which all contacts stick, the object would turn about
-//! an arbitrary point. A rigid body that the load W drives away starts with the velocity v under contact forces r_i
+//! Springs do not determine the motion as long as they carry no force. If all contacts stuck, as in the elastic trial, the object would turn about an
+//! arbitrary point. A rigid body that the load W drives away starts with the velocity v under contact forces r_i
 //!
 //! ```text
 //! v = W + Σ G_i r_i,     0 <= r_n ⟂ n·G_iᵀv >= 0,     |r_t| <= μ r_n against G_iᵀv
@@ -25,11 +25,12 @@ use crate::prelude::*;
 /// not computed, since the computation would take too long.
 const MOST_RIGID: usize = 64;
 
-/// The unit motion with which the object starts to move if no contact presses and nothing balances the rate of the load. `rates` is the problem for
-/// the rates of forces and motion.
+/// The unit motion with which the object starts to move if no contact force counters the rate of the load. `rates` is the problem for the rates of
+/// forces and motion. Contacts that stick with a force inside their cones are bonded in it.
 ///
-/// `None` if no contact touches, if some contact presses or cannot open, or if a touching contact has infinite friction. `None` also if a command
-/// changes, if the motion is zero, or with more than [`MOST_RIGID`] coordinates or touching contacts.
+/// `None` if no contact touches without force, if one touches without force but cannot open, or if a contact is on the boundary of its cone with a
+/// force. `None` also if a contact that touches without force has infinite friction, if a command changes, if the motion is zero, or with more than
+/// [`MOST_RIGID`] coordinates or touching contacts.
 pub(super) fn rigid_motion(rates: &Problem) -> Option<Vector> {
     if rates.wrench.as_slice().len() > MOST_RIGID || rates.offsets.iter().any(|offset| offset.norm() > 0.0) {
         return None;

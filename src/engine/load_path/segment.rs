@@ -1,9 +1,9 @@
 //! A segment describes one leg (section) of a load program, a ramp or a turn: the load and the spring offsets of contacts (commanded displacement
-//! minus clearance and slip) as functions of the load factor. The load changes linearly or turns, and commands change linearly. While contacts keep
-//! their states (sticking, sliding or open), forces and motions are linear functions, too, or harmonics of the load's angle. A piece is a part of a
-//! leg with fixed contact states. Along an arc, a piece on which directions of sliding turn, arclength takes the place of the load factor. The rate
-//! problem is the complementarity problem for the rates of forces and motion. A drive, the spring of a joint or tendon of a hand, is treated like a
-//! contact.
+//! minus clearance and slip) as functions of one parameter, the load factor. On a ramp it is the multiple of the growing load, on a leg the fraction
+//! of the leg that is done. The load changes linearly or turns, and commands change linearly. While contacts keep their states (sticking, sliding or
+//! open), forces and motions are linear functions, too, or harmonics of the load's angle. A piece is a part of a leg with fixed contact states. Along
+//! an arc, a piece on which directions of sliding turn, arclength takes the place of the load factor. The rate problem is the complementarity problem
+//! for the rates of forces and motion. A drive, the spring of a joint or tendon of a hand with its force limit, is treated like a contact.
 
 use nalgebra::{Matrix, SVector};
 
@@ -34,8 +34,8 @@ pub(super) struct Segment<'g> {
     pub(super) largest: f64,
 }
 
-/// Forces, twist and gaps of the grasp at a load factor, with their rates. On a straight piece (a part of a leg with fixed contact states) the rates
-/// are per unit of the load factor. Along an arc (a piece on which directions of sliding turn) they are per unit of arclength.
+/// Forces, twist and gaps of the grasp at a load factor, with their rates. On a straight piece the rates are per unit of the load factor, along an
+/// arc per unit of arclength.
 #[derive(Debug, Clone)]
 pub(super) struct PathPoint {
     pub(super) lines: Vec<Line>,
@@ -49,12 +49,12 @@ pub(super) struct PathPoint {
     pub(super) neutral_motions: Vec<Vector>,
     /// The factorised linear problem for forces and twist while contacts keep their states.
     pub(super) linear_problem: alloc::sync::Arc<LinearProblem>,
-    /// On an arc, the terms of its equation `T q' = b λ'` from contacts that do not slide. T is the tangent stiffness for the twist q, and b the
-    /// force per unit of the load factor λ; see `arc`. All points of the arc share these terms.
+    /// On an arc, the terms of its equation `T q' = b λ'` from contacts that do not slide. T is the tangent stiffness for the twist q, and b the rate
+    /// of the load (and of the forces of commands) per unit of the load factor λ. All points of the arc share these terms.
     pub(super) fixed: SharedTerms,
     pub(super) gaps: Vec<GapLine>,
     /// Largest force (N) and displacement (m) among the terms whose sums are the forces and displacements of this point. Rounding errors are
-    /// proportional to these sizes.
+    /// proportional to these magnitudes.
     pub(super) sizes: [f64; 2],
     /// Largest rate of force and of displacement among the terms whose sums are the rates of forces and displacements of this point. Rounding errors
     /// of these rates are proportional to them.
@@ -96,8 +96,8 @@ impl PathPoint {
 impl<'g> Segment<'g> {
     /// Forces, twist, gaps and their rates at the load factor `factor`, while contacts have the states `states`. If no spring resists some motion,
     /// many twists are solutions: the twist returned is the one nearest to `near`, and its rate the one nearest to `pushed`. `pushed` is the twist
-    /// rate that solves the rate problem (the complementarity problem for the rates of forces and motion). In it contacts that touch without force
-    /// may push the object along a motion that no spring resists. Returns an error if forces cannot balance the load or its rate.
+    /// rate that solves the rate problem. In it contacts that touch without force may push the object along a motion that no spring resists. Returns
+    /// an error if forces cannot balance the load or its rate.
     pub(super) fn point_at(
         &self,
         states: &[State],
@@ -126,8 +126,8 @@ impl<'g> Segment<'g> {
         Ok(self.point_with_rates(linear_problem, factor, at, (&rate, 1.0), (0.0, &base)))
     }
 
-    /// A further point of the arc on which `before` lies: the state `at` at the load factor `factor`. Its rates `rate`, and the rate `factor_rate` of
-    /// the load factor, are per unit of arclength.
+    /// A further point of the arc on which `before` lies: the forces and twist `at` at the load factor `factor`. Its rates `rate`, and the rate
+    /// `factor_rate` of the load factor, are per unit of arclength.
     pub(super) fn point_on_arc(
         &self,
         before: &PathPoint,
@@ -152,8 +152,9 @@ impl<'g> Segment<'g> {
         NoEquilibrium { proof }
     }
 
-    /// The state `at` at the load factor `factor`, with its rates. Rounding errors are proportional to the sizes of terms: those of the state `base`
-    /// at the load factor `since`, plus those of the change from `since` to `factor`. The state itself may be a small difference of these terms.
+    /// The forces and twist `at` at the load factor `factor`, with their rates. Rounding errors are proportional to the magnitudes of terms: those of
+    /// the forces and twist `base` at the load factor `since`, plus those of the change from `since` to `factor`. Forces and twist may be small
+    /// differences of these terms.
     pub(super) fn point_with_rates(
         &self,
         linear_problem: alloc::sync::Arc<LinearProblem>,
@@ -185,8 +186,8 @@ impl<'g> Segment<'g> {
             let (stretch, stretching) =
                 (site.stretch(&offsets[i], &twist), site.stretch(&change[i], &rate.twist));
             let span_rate = site.span_moved(&change[i], norm_of_rate);
-            // The size of the accumulated slip is added to the sizes of terms: the offset is a command minus this slip, and if both cancel, the
-            // rounding error of the slip remains.
+            // The magnitude of the accumulated slip is added to the magnitudes of terms: the offset is a command minus this slip, and if both cancel,
+            // the rounding error of the slip remains.
             let memory = self.problem.slips[i].norm();
             let span_here = site.span_moved(&offsets[i], norm);
             let span =
@@ -216,9 +217,9 @@ impl<'g> Segment<'g> {
         }
     }
 
-    /// Forces and twist at a load factor. They are computed from the load and the offsets at this factor. Extrapolation from another load factor
-    /// would keep rounding errors proportional to the forces there, which may be larger. If no spring resists some motion, the twist is the solution
-    /// nearest to `near`. `None` if forces cannot balance the load.
+    /// Forces and twist at a load factor. They are computed from the load and the offsets at this factor. If they were extrapolated from another load
+    /// factor, they would have rounding errors proportional to the forces there, which may be larger. If no spring resists some motion, the twist is
+    /// the solution nearest to `near`. `None` if forces cannot balance the load.
     pub(super) fn state(
         &self,
         linear_problem: &LinearProblem,
@@ -230,8 +231,8 @@ impl<'g> Segment<'g> {
         Some(if let Some(near) = near { self.nearest(linear_problem, at, near) } else { at })
     }
 
-    /// The change of the load factor along a straight piece, from the state `at` at the load factor `factor` to the exit `exit` of a contact. An exit
-    /// is an end of the contact's state, such as the point at which its force reaches an edge of its cone. Rates are taken from `point`.
+    /// The change of the load factor along a straight piece, from the path point `at`, at the load factor `factor`, to the exit `exit` of a contact.
+    /// An exit is an end of the contact's state, such as the point at which its force reaches the boundary of its cone. Rates are taken from `point`.
     pub(super) fn step_to_exit(
         &self,
         contact: usize,
@@ -256,7 +257,8 @@ impl<'g> Segment<'g> {
         offsets
     }
 
-    /// Writes the offset of each contact and drive at a load factor into the caller's list `offsets`, see [`Self::offsets`].
+    /// Writes the offset of each contact and drive (command minus clearance and accumulated slip, m) at a load factor into the caller's list
+    /// `offsets`.
     pub(super) fn offsets_into(&self, factor: f64, offsets: &mut Vec<SVector<f64, 3>>) {
         cleared_for(offsets, self.change.len());
         offsets.extend(self.problem.offsets.iter().zip(&self.change).map(|(a, da)| a + da * factor));
@@ -299,20 +301,21 @@ impl<'g> Segment<'g> {
         self.problem.offsets[contact] -= slip;
     }
 
-    /// The exits at which a contact's present state may end, each with the step from the present state `point` to it. An exit is an edge of the cone,
-    /// the apex, a closing gap, or a reversal of slip. Steps are changes of the load factor, or arclengths along an arc.
+    /// The exits at which a contact's present state may end, each with the step from the path point `point` to it. An exit is a facet of the cone
+    /// that the force reaches, the apex, a closing gap, or a reversal of slip. Steps are changes of the load factor, or arclengths along an arc.
     pub(super) fn ways_out(&self, contact: usize, state: &State, point: &PathPoint) -> Vec<Exit> {
         self.problem.local(contact).ways_out(state, &point.lines[contact], &point.gaps[contact])
     }
 
     /// For every contact the law for the rates of its force and motion, i.e. the condition on these rates under which the contact law stays
-    /// satisfied. It follows from the contact state and from the active set, the edges of the cone on which the contact force lies.
+    /// satisfied. It follows from the contact state and from the active set, the facets of the cone on which the contact force lies (on the round
+    /// cone, the tangent plane at the force).
     pub(super) fn laws_of_rates(&self, active_sets: &[ActiveSet], states: &[State]) -> Vec<Law> {
         let locals = self.problem.locals().zip(active_sets).zip(states);
         locals.map(|((local, active), state)| local.law_of_rates(active, state)).list()
     }
 
-    /// The smallest step from `point` at which the present state of a contact ends, with all contacts whose states end there. A state ends at an edge
+    /// The smallest step from `point` at which the present state of a contact ends, with all contacts whose states end there. A state ends at a facet
     /// of the cone, the apex, a closing gap or a reversal of slip. For a load that turns, steps up to `rest` (a change of the load factor) are
     /// searched.
     pub(super) fn first_exits(&self, states: &[State], point: &PathPoint, rest: f64) -> FirstExits {
@@ -323,8 +326,8 @@ impl<'g> Segment<'g> {
         FirstExits { reached: first_reached(ways.list()), touches: Vec::new() }
     }
 
-    /// The rate problem on this segment at a load factor: the complementarity problem for the rates of forces and motion. `laws` has for each contact
-    /// the condition on these rates, see [`Self::laws_of_rates`].
+    /// The rate problem on this segment at a load factor. `laws` has for each contact the condition on the rates of its force and motion under which
+    /// the contact law stays satisfied.
     pub(super) fn rates(&self, factor: f64, laws: Vec<Law>) -> Problem<'g> {
         self.problem.at_rates(laws, self.change.clone(), self.trajectory.rate_at(factor))
     }

@@ -21,7 +21,6 @@ pub struct Derivative<const C: usize> {
 }
 
 impl Engine {
-    /// Implements [`Sensitivity::of`](crate::ask::Sensitivity::of).
     pub(crate) fn sensitivity(&self, equilibrium: &Equilibrium<3>, by: Parameter) -> Option<Derivative<3>> {
         let (local, problem) = (&equilibrium.local, self.problem_of(equilibrium)?);
         let state = ForcesAndTwist { forces: equilibrium.site_forces(), twist: local.twist.to() };

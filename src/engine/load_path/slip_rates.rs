@@ -1,7 +1,8 @@
-//! Contact forces and twist under a load that grows along a ramp, as affine functions of the load factor and of the slips of sliding contacts (see
-//! `in_slips`). From these functions follow the rates of load factor and slips with which sliding contacts stay on the edges of their cones. The
-//! margin of a contact is μ F_n - |F_t|, the distance of its force from the edge of its cone. Motions are small within limits of rotation and slip up
-//! to which the linear theory is trusted.
+//! Contact forces and twist under a load that grows along a ramp, as affine functions of the load factor and of the slips of sliding contacts, as in
+//! `in_slips`. From these functions follow the rates of load factor and slips with which sliding contacts stay on the boundaries of their cones. The
+//! margin of a contact is μ F_n - |F_t|, the distance of its force from the boundary of its cone. A path point is the list of the weights with which
+//! forces and twist are summed: 1, the load factor, and two tangential slips (m) of each sliding contact. Motions are small within limits of rotation
+//! and slip up to which the linear theory is trusted.
 
 use nalgebra::SVector;
 
@@ -13,7 +14,7 @@ use crate::object::{ForcesAndTwist, LinearProblem, Problem};
 use crate::prelude::*;
 use crate::search::SmallMotions;
 
-/// Upper limit of the number of sliding contacts whose slips `in_slips` takes as unknowns along a growing load. With more, following an
+/// Upper limit of the number of sliding contacts whose slips `in_slips` takes as unknowns of its equations. With more sliding contacts, following an
 /// [arc](super::arc), on which directions of sliding turn, takes less time: each stage of the integration along an arc solves one equation for each
 /// coordinate, rather than for each sliding contact.
 pub(super) const MOST_SLIDING: usize = MOST_UNKNOWNS - 1;
@@ -21,16 +22,15 @@ pub(super) const MOST_SLIDING: usize = MOST_UNKNOWNS - 1;
 /// A vector for each sliding contact, in the order of [`Slips::sliding`], followed by zero vectors.
 pub(super) type SlipVector = [SVector<f64, 3>; MOST_SLIDING];
 
-/// Sliding contacts with the responses to their slips. Forces and twist are a sum of terms. In all methods, the state `at` is the list of the weights
-/// of these terms: 1, the load factor, and two tangential slips (m) of each sliding contact.
+/// Sliding contacts with the responses to their slips. Forces and twist are a sum of terms, whose weights are the entries of a path point.
 pub(super) struct Slips<'g> {
     pub(super) grasp: &'g Engine,
     pub(super) problem: Problem<'g>,
     pub(super) linear_problem: alloc::sync::Arc<LinearProblem>,
-    /// Contact forces of all terms, one term after the other. The first two terms are the state at load factor 0 and the rate with respect to the
+    /// Contact forces of all terms, one term after the other. The first two terms are the forces at load factor 0 and their rates with respect to the
     /// load factor. Then follow the responses to a unit slip of each sliding contact along both tangents.
     pub(super) forces: Vec<SVector<f64, 3>>,
-    /// Twists of the object in all terms: in the state at load factor 0, per unit of the load factor, and per unit slip along each tangent.
+    /// Twists of the object in all terms: at load factor 0, per unit of the load factor, and per unit slip along each tangent.
     pub(super) twists: Vec<Vector>,
     /// Indices of the sliding contacts, in the order in which they began to slide.
     pub(super) sliding: Vec<usize>,
@@ -63,8 +63,8 @@ impl Slips<'_> {
         (0..self.contacts()).filter(|i| !self.sliding.contains(i))
     }
 
-    /// Writes to `rates` the rates of the state `at`, per unit of arclength, with which the margins `μ F_n - |F_t|` of sliding contacts stay zero. Of
-    /// the two opposite senses, the one with a positive inner product with the rates `along` is taken. `None` if the rates are not unique.
+    /// Writes to `rates` the rates of the path point `at`, per unit of arclength, with which the margins `μ F_n - |F_t|` of sliding contacts stay
+    /// zero. Of the two opposite senses, the one with a positive inner product with the rates `along` is taken. `None` if the rates are not unique.
     pub(super) fn flow(&self, at: &[f64], along: &[f64], rates: &mut [f64]) -> Option<()> {
         let (directions, count) = (self.directions(at), self.sliding.len());
         let (mut equations, mut scale) = (self.margin_rates(&directions), 0.0_f64);
@@ -84,7 +84,7 @@ impl Slips<'_> {
         Some(())
     }
 
-    /// For each sliding contact the unit direction of its friction force in the state `at`.
+    /// For each sliding contact the unit direction of its friction force at the path point `at`.
     pub(super) fn directions(&self, at: &[f64]) -> SlipVector {
         let mut directions = SlipVector::default();
         for (direction, i) in directions.iter_mut().zip(&self.sliding) {
@@ -110,7 +110,7 @@ impl Slips<'_> {
         rates
     }
 
-    /// The force of a contact in the state `at`, a list of weights of terms, N. If `at` lists the rates of these weights, the rate of the force.
+    /// The force of a contact, N, at the path point `at`. If `at` lists rates of weights, the rate of the force.
     pub(super) fn force(&self, contact: usize, at: &[f64]) -> SVector<f64, 3> {
         let mut force = SVector::zeros();
         for (part, weight) in self.forces.chunks_exact(self.contacts()).zip(at) {
@@ -119,15 +119,14 @@ impl Slips<'_> {
         force
     }
 
-    /// The twist (displacement and small rotation) of the object in the state `at`, a list of weights of terms. If `at` lists the rates of these
-    /// weights, the rate of the twist.
+    /// The twist (displacement and small rotation) of the object at the path point `at`. If `at` lists rates of weights, the rate of the twist.
     pub(super) fn twist(&self, at: &[f64]) -> Vector {
         let mut twist = Vector::zeros();
         self.twists.iter().zip(at).for_each(|(part, weight)| twist.add_times(part, *weight));
         twist
     }
 
-    /// The rotation of the object and the slips of contacts in the state `at`, for comparison with the limits of small motions.
+    /// The rotation of the object and the slips of contacts at the path point `at`, for comparison with the limits of small motions.
     pub(super) fn motions(&self, at: &[f64]) -> Vec<CountedMotion> {
         let none = vec![SVector::zeros(); self.contacts()];
         let (offsets, forces, twist) = (&none[..], &none[..], &self.twist(at));
@@ -135,14 +134,14 @@ impl Slips<'_> {
         for (i, slip) in self.sliding.iter().zip(at[2..].chunks_exact(2)) {
             (slips[*i][1], slips[*i][2]) = (slip[0], slip[1]);
         }
-        // The slips are known from the state `at`. For sticking contacts `counted_motions` uses these slips alone, while for sliding contacts it
-        // would add a slip derived from the springs. All contacts are therefore given as sticking.
+        // The slips are known from the path point `at`. For sticking contacts `counted_motions` uses these slips alone; for sliding contacts it adds
+        // a slip derived from the springs. All contacts are therefore given as sticking.
         let states: Vec<State> = vec![Mode::Sticking; slips.len()];
         let standing = MotionData { offsets, slips: &slips, states: &states, forces, twist };
         self.grasp.counted_motions(&self.small, &standing)
     }
 
-    /// The largest ratio, in the state `at`, of the object's rotation or a contact's slip to its limit of small motions. The grasp has only one
+    /// The largest ratio, at the path point `at`, of the object's rotation or a contact's slip to its limit of small motions. The grasp has only one
     /// object, so the last entries of the twist are its rotation times the engine's unit of length.
     pub(super) fn far(&self, at: &[f64]) -> f64 {
         let space = self.grasp.space();

@@ -1,7 +1,7 @@
-//! A step along a growing load, and the first event in the step. The unknowns are the load factor and the slips of sliding contacts (see `in_slips`).
-//! Arclength is measured along the curve of the slips, divided by a unit of slip, and the load factor. A margin is the distance of a force from the
-//! edge of its friction cone. The conditions of this file have values that must stay positive along a step; the comment of [`GROWS`] lists them in
-//! their order.
+//! A step along a growing load, and the first event in the step, i.e. the first change of a contact's state. A path point is a list of the number 1,
+//! the load factor and the slips of sliding contacts (m), from which [`Slips`] computes forces and twist. Arclength is measured along the curve of
+//! the slips, divided by a unit of slip, and the load factor. A margin is the distance of a force from the boundary of its friction cone. The
+//! conditions of this file have values that must stay positive along a step; the comment of [`GROWS`] lists them in their order.
 
 use super::slip_rates::Slips;
 use super::tolerances::LITTLE_NORMAL_FORCE;
@@ -13,7 +13,7 @@ use crate::numerics::{
 };
 use crate::prelude::*;
 
-/// The end of a step of arclength `length` along which contacts slide or stick. It has the state `at`, its rates per unit of arclength, and the
+/// The end of a step of arclength `length` along which contacts slide or stick. It has the path point `at`, its rates per unit of arclength, and the
 /// step's estimated relative error.
 pub(super) struct SlipStep {
     pub(super) length: f64,
@@ -32,7 +32,7 @@ pub(super) const GOES_ON: usize = 1;
 /// Index, in the list described at [`GROWS`], of the condition that all motions are within the limits of small motions.
 pub(super) const SMALL: usize = 2;
 impl Slips<'_> {
-    /// A step of the arclength `length` from the state `at` with the rates `rates`; `None` if rates are not unique somewhere in the step.
+    /// A step of the arclength `length` from the path point `at` with the rates `rates`; `None` if rates are not unique somewhere in the step.
     pub(super) fn step(&self, (at, rates): (&[f64], &[f64]), length: f64) -> Option<SlipStep> {
         let mut there = at.to_vec();
         let rate = |change: &[f64], out: &mut [f64]| {
@@ -56,8 +56,8 @@ impl Slips<'_> {
         Some(SlipStep { length, at, rates: there, error, values })
     }
 
-    /// The step `end` from the state and rates `from`, if all conditions hold in it. Otherwise the step is shortened to the first event, where the
-    /// value of a condition becomes zero. The index of this condition in the list of [`GROWS`] is returned, too; `None` for the whole step.
+    /// The step `end` from the path point and rates `from`, if all conditions hold in it. Otherwise the step is shortened to the first event, where
+    /// the value of a condition becomes zero. The index of this condition in the list of [`GROWS`] is returned, too; `None` for the whole step.
     ///
     /// The result is `None` if several values become zero together, if a value is not positive at the start, or if the end of the shortened step is
     /// not found.
@@ -130,7 +130,8 @@ impl Slips<'_> {
     /// iteration does not converge.
     fn moved_to(&self, k: usize, mut end: SlipStep, mut rest: f64) -> Option<SlipStep> {
         let length = end.length;
-        // Newton's method converges quadratically: after three iterations only rounding remains.
+        // Each Newton iteration squares the relative distance from the root or gains the six digits of the derivative, whichever is less. From a
+        // distance of 1e-4, three iterations thus leave only rounding.
         for _ in 0..3 {
             let (from, mut ahead) = (end.at.clone(), end.rates.clone());
             let moved = |rate: &[f64]| -> Vec<f64> { paired(&from, rate, &|(at, rate)| at + rest * rate) };
@@ -145,16 +146,16 @@ impl Slips<'_> {
             }
         }
         end.values = self.conditions(&end.at, &end.rates);
-        // The end is accepted if the arclength `rest` still missing is small against the error of the step. At a maximum of the load factor, an error
-        // of arclength changes the load factor only by its square.
+        // The end is accepted if the arclength `rest` still missing is less than the fraction `NEGLIGIBLE` of the step. At a maximum of the load
+        // factor, an error of arclength changes the load factor only by its square.
         (rest.abs() <= NEGLIGIBLE * length).then_some(end)
     }
 
-    /// The derivative of the value of condition `k` with respect to arclength at the state `at`, from a difference over a millionth of `length`.
+    /// The derivative of the value of condition `k` with respect to arclength at the path point `at`, from a difference over a millionth of `length`.
     /// `None` if the rates are not unique.
     fn slope(&self, k: usize, (at, rates): (&[f64], &[f64]), length: f64) -> Option<f64> {
-        // The difference quotient is taken over this arclength. The derivative then has about six correct digits, so that each Newton iteration gains
-        // six digits.
+        // The difference quotient is taken over this arclength. The derivative then has about six correct digits, so that a Newton iteration gains at
+        // most six digits.
         let little = 1e-6 * length;
         let ahead: Vec<f64> = paired(at, rates, &|(at, rate)| at + little * rate);
         let mut rates_ahead = vec![0.0; at.len()];
@@ -176,7 +177,7 @@ impl Slips<'_> {
         }
         first
     }
-    /// The values, in the state `at` with the rates `rates`, of the conditions that must stay positive, in the order described at [`GROWS`].
+    /// The values, at the path point `at` with the rates `rates`, of the conditions that must stay positive, in the order described at [`GROWS`].
     fn conditions(&self, at: &[f64], rates: &[f64]) -> Vec<f64> {
         numbered(SMALL + 1 + self.sliding.len() + self.contacts(), &|k| self.condition(k, at, rates))
     }

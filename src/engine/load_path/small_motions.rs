@@ -1,10 +1,10 @@
 //! The point of a load path where a motion exceeds its limit of small motions, and the point from which on all contacts slide. A leg is a section of
 //! the load program. A piece is a part of a leg on which all contacts keep their states.
 //!
-//! While contacts keep their states, rotations, slips and gaps are affine in the fraction of the leg. Their largest value is then at an end of the
-//! piece. While the load turns, each of them is a constant plus terms with the cosine and sine of the angle (a harmonic). The first point beyond a
-//! limit is then a root of a trigonometric polynomial. On arcs directions of sliding turn, and the path is integrated in steps. These steps are
-//! checked at their ends. If a motion is beyond its limit there, regula falsi finds the point within the piece or step.
+//! While contacts keep their states, rotations, slips and gaps are affine in the fraction of the leg that is done. Their largest value is then at an
+//! end of the piece. While the load turns, each of them is a constant plus terms with the cosine and sine of the angle (a harmonic). The first point
+//! beyond a limit is then a root of a trigonometric polynomial. On arcs directions of sliding turn, and the path is integrated in steps. These steps
+//! are checked at their ends. If a motion is beyond its limit there, regula falsi finds the point within the piece or step.
 
 use core::f64::consts::{FRAC_PI_2, PI};
 
@@ -100,7 +100,7 @@ impl<'g> StoredPiece<'g> {
     /// The first point of a piece of the path where a rotation, slip or opening exceeds its limit. `at_the_end` is the motion that exceeds its
     /// limit most at the end of the piece.
     fn first_too_far(&self, grasp: &'g Engine, answer_for: AnswerFor, at_the_end: CountedMotion) -> Place {
-        // If the state within a step cannot be computed because of rounding, the motion at the end of the step is taken.
+        // If forces and twist within a step cannot be computed because of rounding, the motion at the end of the step is taken.
         let farthest_at = |fraction: f64| {
             let Some((problem, found)) = self.found_at(grasp, answer_for, fraction) else {
                 return at_the_end;

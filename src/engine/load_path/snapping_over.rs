@@ -1,7 +1,7 @@
 //! Snapping over: the equilibrium of a load path ends, and the object moves on under nearly the same load until it rests in another equilibrium. The
-//! path ends at a fold, a corner or an asymptote, see [`LossKind`]. A fold is a maximum of the load; at a corner no contact states continue the path;
-//! it approaches the load of an asymptote but never reaches it. A leg is a section of the load program; the load factor is the fraction of the leg
-//! that is done. A jump is a motion of the object under constant load; a piece is a section of the path without an event.
+//! path ends at a fold, a corner or an asymptote ([`LossKind`]). A fold is a maximum of the load; at a corner no contact states continue the path; it
+//! approaches the load of an asymptote but never reaches it. A leg is a section of the load program. A jump is a motion of the object, at constant
+//! load, to another equilibrium; a piece is a section of the path on which all contacts keep their states.
 //!
 //! Other equilibria may exist beyond the end of a path. Which of them the object reaches depends on its motion after the end. This motion is
 //! computed in an artificial model with a viscous damper at each contact, in proportion to the stiffness K_i of its springs. The load W is
@@ -13,9 +13,10 @@
 //! ```
 //!
 //! A step in time of length h solves `(T + D/h) Δq = R`, where D is the matrix `Σ G_i K_i G_iᵀ` and T the tangent stiffness. Then the slip of every
-//! contact is added to its slip memory s_i. Steps become longer as long as the imbalance after each step is nearly D Δq/h, the value expected from
-//! the dampers. Once forces nearly balance, the imbalance R that is left is removed along an additional leg, as in [`super::jump_leg`]. The path
-//! continues at the end of this leg. If the motion exceeds the limits of small motions, the equilibrium is taken as lost.
+//! contact in this step is added to its accumulated slip s_i. Steps become longer as long as the imbalance after each step is nearly D Δq/h, the
+//! value expected from the dampers. Once forces nearly balance, the imbalance R that is left is removed along an additional leg, along which load and
+//! commands else stay constant. The path continues at the end of this leg. If the motion exceeds the limits of small motions, the equilibrium is
+//! taken as lost.
 
 use nalgebra::SVector;
 
@@ -47,7 +48,7 @@ struct MovingObject {
     left: Vector,
 }
 
-/// The state in which the object rests again after it has snapped over. Its contact forces balance the load up to a small remainder.
+/// The equilibrium in which the object rests again after it has snapped over. Its contact forces balance the load up to a small remainder.
 pub(super) struct StateAfterSnap<'g> {
     /// The static problem with the slips after the motion. Its load is changed by the small imbalance that remains, so that the contact forces
     /// balance the load exactly.
@@ -58,15 +59,15 @@ pub(super) struct StateAfterSnap<'g> {
 
 impl<'g> StateAfterSnap<'g> {
     /// Moves the object from the twist `start`, at which forces do not balance, to a twist at which they nearly balance. The motion is that of the
-    /// model with dampers, see the head of this file. `None` if the motion exceeds the limits `small` or does not end, or for a grasp of so many
-    /// coordinates that it is solved with band matrices.
+    /// model with dampers. `None` if the motion exceeds the limits `small` or does not end, or for a grasp of so many coordinates that it is solved
+    /// with band matrices.
     pub(super) fn near(
         grasp: &Engine,
         small: &SmallMotions,
         mut problem: Problem<'g>,
         start: &Vector,
     ) -> Option<Self> {
-        // With so many coordinates that matrices are stored as bands, each step in time would take longer than following the whole path.
+        // If a grasp has so many coordinates that matrices are stored as bands, each step in time takes longer than following the whole path.
         if uses_band(problem.size()) {
             return None;
         }
@@ -77,10 +78,10 @@ impl<'g> StateAfterSnap<'g> {
         let damping = tangent_stiffness(problem.sites, &|i| damper(&problem, i));
         let none = vec![ContactResponse::open(); problem.len()];
         // The call of `MovingObject::at` below decides whether a contact that slides with kinetic friction sticks and regains static friction. At the
-        // start rounding alone would determine this, so the friction cones from before the call are restored after it.
+        // start this depends on rounding alone, so the friction cones from before the call are restored after it.
         let cones = problem.cones.clone();
-        // At the start, rounding alone would determine whether a contact on the edge of its cone sticks. In the matrix of the first step in time all
-        // contacts are therefore taken as open, so that this matrix has the dampers alone.
+        // At the start it also depends on rounding alone whether a contact on the boundary of its cone sticks. In the matrix of the first step in
+        // time all contacts are therefore taken as open, so that this matrix has the dampers alone.
         let mut here =
             MovingObject { contacts: none.clone(), ..MovingObject::at(start.clone(), none, &mut problem) };
         problem.cones = cones;
@@ -124,11 +125,11 @@ impl<'g> StateAfterSnap<'g> {
     }
 }
 
-/// The step of the load factor with which the load is increased beyond a loss of equilibrium, so that the object moves to another equilibrium. The
-/// step puts forces out of balance by the fraction `LITTLE_BEYOND`, 1e-6, of the largest force `largest`, N. `change` are the rates of the contacts'
-/// spring offsets and `rate` is the rate of the load, both per unit of the load factor.
+/// The step, in the fraction of the leg, by which the load is increased beyond a loss of equilibrium, so that the object moves to another
+/// equilibrium. The step puts forces out of balance by the fraction `LITTLE_BEYOND`, 1e-6, of the largest force `largest`, N. `change` are the rates
+/// of the contacts' spring offsets and `rate` is the rate of the load, both per unit of the fraction of the leg.
 ///
-/// `largest` is replaced by [`LEAST_FORCE`] times the imbalance that one unit of the load factor adds, if that is more. Otherwise the step would be
+/// `largest` is replaced by [`LEAST_FORCE`] times the imbalance that the whole leg adds, if that is more. If this were not done, the step would be
 /// zero for a grasp without any force.
 pub(super) fn a_little(sites: &[Site], change: &[SVector<f64, 3>], mut rate: Vector, largest: f64) -> f64 {
     for (site, change) in sites.iter().zip(change) {
@@ -137,13 +138,14 @@ pub(super) fn a_little(sites: &[Site], change: &[SVector<f64, 3>], mut rate: Vec
     LITTLE_BEYOND * (largest / rate.norm()).max(LEAST_FORCE)
 }
 
-/// The number of times that the object has snapped over to another equilibrium on a leg so far, and the load factor at which it last came to rest.
+/// The number of times that the object has snapped over to another equilibrium on a leg so far, and the fraction of the leg at which it last came to
+/// rest.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct SnapCount {
     count: usize,
-    /// Load factor at which the object last came to rest after it had snapped over; NaN if it has not snapped over yet.
+    /// The fraction of the leg at which the object last came to rest after it had snapped over; NaN if it has not snapped over yet.
     at: f64,
-    /// The load factor at which the object last came to rest, minus the load factor of the loss from which it had snapped over.
+    /// The fraction of the leg at which the object last came to rest, minus that of the loss from which it had snapped over.
     step: f64,
 }
 
@@ -161,7 +163,7 @@ fn is_small(grasp: &Engine, small: &SmallMotions, moved: &Vector) -> bool {
     turns_little && grasp.sites()[..grasp.len()].iter().all(|site| site.map.tr_mul(moved).norm() <= most)
 }
 
-/// Factor by which the length of a step grows after an accepted step, both for steps in time and for steps of the load factor.
+/// Factor by which the length of a step grows after an accepted step, both for steps in time and for steps in the fraction of the leg.
 const LONGER: f64 = 2.0;
 /// Factor by which the length of a step is multiplied after a refused step.
 const SHORTER: f64 = 0.25;
@@ -176,10 +178,10 @@ impl MovingObject {
 }
 
 impl<'g> PiecewiseFollower<'g> {
-    /// The event that replaces the loss `loss`: the object snaps over to another equilibrium at a slightly larger load factor, from which the path
-    /// continues. `None` if the object does not come to rest within small motions. Also `None`, without a try, for losses of the kinds `LetsGo`,
-    /// `TooFar` and `GivesWay`, and for grasps with suction cups. Also at the end of a leg, after a jump that failed, and if the object has snapped
-    /// over [`MOST_SNAPS`] times on this leg.
+    /// The event that replaces the loss `loss`: the object snaps over to another equilibrium at a slightly larger fraction of the leg, from which the
+    /// path continues. `None` if the object does not come to rest within small motions. Also `None`, without a try, for losses of the kinds `LetsGo`,
+    /// `TooFar` and `GivesWay`, and for grasps with suction cups. `None` also at the end of a leg, after a jump that failed, and if the object has
+    /// snapped over [`MOST_SNAPS`] times on this leg.
     pub(super) fn snaps_over(&mut self, run: &ProgramRun<'g>, loss: &Loss<3>) -> Option<Event<3>> {
         let ends_in_balance = !matches!(loss.kind, LossKind::LetsGo | LossKind::TooFar | LossKind::GivesWay);
         // The model with dampers keeps the pull of a vacuum even if its cup opens during the motion, so grasps with cups are excluded.
@@ -194,13 +196,13 @@ impl<'g> PiecewiseFollower<'g> {
         }
         let Segment { grasp, change, trajectory, .. } = &self.segment;
         let (load, rate) = (trajectory.at(self.factor), trajectory.rate_at(self.factor));
-        // Contacts may carry no force at all. The largest force is therefore the maximum over the contact forces, the load, and the force that the
-        // displacements would cause in the softest spring.
+        // Contacts may carry no force at all. The largest force is therefore the maximum over the contact forces, the load, and the least force that
+        // the displacements cause in a spring.
         let springs = softest_spring_force(&self.segment.problem_at(self.factor), &self.node.at.twist);
         let most = largest(&self.node.at.forces, &SVector::norm).max(load.norm()).max(springs);
         let least = a_little(grasp.sites(), change, rate, most);
-        // If an object snaps over again before the load factor has grown by the step of the last snap, this step is doubled. An object that sticks
-        // and snaps over again and again would otherwise need too many snaps.
+        // If an object snaps over again before the fraction of the leg has grown by the step of the last snap, this step is doubled. If it were not,
+        // an object that sticks and snaps over again and again would need too many snaps.
         let is_again = self.factor - self.snapped.at <= self.snapped.step;
         let mut step = if is_again { (LONGER * self.snapped.step).max(least) } else { least };
         loop {
@@ -214,8 +216,8 @@ impl<'g> PiecewiseFollower<'g> {
         }
     }
 
-    /// The event at which the object snaps over and comes to rest under a slightly larger load. The load factor grows by `step`, but not beyond 1.
-    /// `None` if the object does not come to rest.
+    /// The event at which the object snaps over and comes to rest under a slightly larger load. The fraction of the leg grows by `step`, but not
+    /// beyond 1. `None` if the object does not come to rest.
     fn snaps_within(&mut self, step: f64, run: &ProgramRun<'g>) -> Option<Event<3>> {
         let state = self.state_before_event().or_else(|| self.present_state(run))?;
         let beyond = (self.factor + step).min(1.0);
@@ -231,8 +233,8 @@ impl<'g> PiecewiseFollower<'g> {
         jump.changes.clear();
         jump.run(&goal, run).ok()?;
         let event = self.caught(run, changes, state);
-        // The state at a load factor is computed later from the stored piece of the path that contains it. If the object snaps over at the very start
-        // of a leg, no such piece is stored yet, so a piece is made from the present state.
+        // An equilibrium at a fraction of the leg is computed later from the stored piece of the path that contains this fraction. If the object
+        // snaps over at the very start of a leg, no such piece is stored yet, so a piece is made from the present path point.
         let is_first = self.piece_behind(run.program.leg, self.factor).is_none();
         let start = is_first.then(|| self.present_piece(run)).flatten();
         let end = core::mem::replace(&mut self.factor, beyond);
@@ -247,15 +249,15 @@ impl<'g> PiecewiseFollower<'g> {
         Some(Event { jump: Some(Box::new(Jump { snaps: true, ..jump })), ..event })
     }
 
-    /// The state in which the object, moving from its present twist, comes to rest. The load is that at the load factor `beyond`, slightly larger
-    /// than at the loss. `None` if the object does not come to rest.
+    /// The equilibrium in which the object, moving from its present twist, comes to rest. The load is that at the fraction `beyond` of the leg,
+    /// slightly larger than at the loss. `None` if the object does not come to rest.
     fn rests_again(&self, beyond: f64) -> Option<StateAfterSnap<'g>> {
         let Segment { grasp, answer_for, .. } = &self.segment;
         StateAfterSnap::near(grasp, &answer_for.small, self.segment.problem_at(beyond), &self.node.at.twist)
     }
 
-    /// The follower of an additional leg, along which the remaining imbalance of forces in the state `rests` is removed while the load factor stays
-    /// at `factor`. Also returns the changes from the present contact states to those of `rests`.
+    /// The follower of an additional leg, along which the remaining imbalance of forces in `rests` is removed while the fraction of the leg stays at
+    /// `factor`. Also returns the changes from the present contact states to those of `rests`.
     fn back_to_balance(&self, rests: StateAfterSnap<'g>, factor: f64) -> (Self, Vec<(usize, Change<3>)>) {
         let StateAfterSnap { problem, contacts, twist } = rests;
         let mut segment = self.segment.at_rest(factor);

@@ -1,6 +1,7 @@
 //! Follows a growing or turning load while no contact slides. Where a gap closes, the path continues with this contact sticking, too. The path ends
-//! where a contact stops sticking. The base load acts before the asked load grows. A drive, the spring of a joint or tendon of a hand, is treated
-//! like a contact. A ramp is a load that grows in proportion to a load factor.
+//! where a contact stops sticking. The base load acts before the asked load grows. A ramp is a load that grows in proportion to a load factor; along
+//! a turn the angle of the load takes the place of the load factor. A drive, the spring of a joint or tendon of a hand with its force limit, is
+//! treated like a contact. In names of this file, `edge` is the boundary of a friction cone.
 
 use crate::numerics::{IntoList, mapped};
 use nalgebra::SVector;
@@ -26,16 +27,16 @@ pub(super) struct StickingPath<'a> {
     pub(super) settings: &'a Settings,
     pub(super) rule: FoundBy,
     pub(super) factor: f64,
-    /// Contacts and drives, by index, whose force touched the edge of its cone without crossing it while the load turned. Each comes with the angle
-    /// of the load, rad.
+    /// Contacts and drives, by index, whose force touched the boundary of its cone without crossing it while the load turned. Each comes with the
+    /// angle of the load, rad.
     pub(super) touches: Vec<(usize, f64)>,
 }
 
 impl StickingPath<'_> {
     pub(super) fn run(&mut self, mut states: Vec<State>) -> Onset<3> {
         let mut reached: Option<ExitsReached> = None;
-        // In every iteration an open contact closes and stays closed, or the path ends. Exact arithmetic would need fewer iterations than this
-        // limit.
+        // In every iteration an open contact closes and stays closed, or the path ends. Without rounding errors the number of iterations stays below
+        // this limit.
         for _ in 0..2 * states.len() + 2 {
             let mut point = match self.segment.point_at(&states, self.factor, None, None) {
                 Ok(point) => point,
@@ -85,9 +86,10 @@ impl StickingPath<'_> {
         Onset::Undecided(Undecided { doubt: Doubt::OnTheBoundary, work: WorkDone::default() })
     }
 
-    /// Contacts that are on the edge of their cones under the base load, each with its exits (edge, apex or closing gap). Two kinds of contacts are
-    /// on the edge. The force of the first kind is on the edge up to rounding, so that the step to an exit has length zero. Contacts of the second
-    /// kind touch without force. Only the rates of the forces show whether these forces leave their cones as the load grows.
+    /// Contacts that are on the boundary of their cones under the base load, each with its exits: facets of the cone that the force has reached, the
+    /// apex (zero force), or a closing gap. There are two kinds of such contacts. The force of the first kind is on the boundary up to rounding, so
+    /// that the step to an exit has length zero. Contacts of the second kind touch without force. Only the rates of the forces show whether these
+    /// forces leave their cones as the load grows.
     fn at_edge_at_base(&self, states: &[State], point: &PathPoint) -> ExitsReached {
         let mut at_edge = Vec::new();
         for (i, state) in states.iter().enumerate() {
@@ -157,8 +159,8 @@ impl StickingPath<'_> {
     }
 }
 
-/// For every contact its active set: the edges of its cone that its force has reached according to the exits in `at_edge`. Empty for contacts
-/// not listed in `at_edge`. A contact listed without exits touches without force, so its force is at the apex of its cone.
+/// For every contact its active set: the facets of its cone that its force has reached according to the exits in `at_edge`. Empty for contacts not
+/// listed in `at_edge`. A contact listed without exits touches without force, so its force is at the apex of its cone.
 fn active_sets_after(
     axes: usize,
     states: &[State],

@@ -1,9 +1,9 @@
 //! The test whether a contact whose slip has ended on an arc (a piece of the path on which directions of sliding turn) can neither stick nor slide
-//! on.
+//! on. A leg is a section of the load program.
 //!
-//! When the contact stops, sticking and sliding give the same rates of forces and motion, and differ only a little later. As a rule one of the
-//! two states is valid from then on. Near a maximum of the load neither may be valid: if the contact sticks, its force leaves the friction cone;
-//! if it slides, friction drives the slip instead of opposing it. In that case the path ends.
+//! When the contact stops, sticking and sliding give the same rates of forces and motion, and differ only a little later. As a rule one of the two
+//! contact states is valid from then on. Near a maximum of the load it may be that neither is valid: if the contact sticks, its force leaves the
+//! friction cone; if it slides, friction drives the slip instead of opposing it. In that case the path ends.
 
 use super::flow::{Flow, Rule, StepGoal};
 use super::piecewise_follower::PiecewiseFollower;
@@ -35,8 +35,7 @@ impl PiecewiseFollower<'_> {
         let mut length = (1.0 - self.factor) / point.factor_rate;
         let mut failures = 0;
         for _ in 0..40 {
-            // The first trial step is a quarter of the rest of the leg (section of the load program), and each further step a quarter of the step
-            // before.
+            // The first trial step is a quarter of the rest of the leg, and each further step a quarter of the step before.
             length *= 0.25;
             let reached = flow.step(length, StepGoal::after(1.0, 0), Rule::Explicit);
             let Some(reached) = reached.filter(|reached| reached.error <= tolerance) else { continue };

@@ -1,8 +1,9 @@
-//! A stored piece of a load path, along which every contact keeps its state. If no contact slides on a round cone, forces and motions are affine in
-//! the fraction of the leg, or harmonics of the load's angle. Otherwise the piece is a step of the integration along an arc, on which directions of
-//! sliding turn. To compute a state within the piece, this step is repeated up to the requested fraction. A leg is a section of the load program. A
-//! drive is the spring of a joint or tendon of a hand. The offset of a contact's springs is the command of its finger (a displacement) minus
-//! clearance and accumulated slip.
+//! A stored piece of a load path, along which every contact keeps its state (open, sticking or sliding). If no contact slides on a round cone, forces
+//! and motions are affine in the fraction of the leg that is done, or harmonics of the load's angle. Otherwise the piece is a step of the integration
+//! along an arc, on which directions of sliding turn. To compute a path point (forces and twist) within the piece, this step is repeated up to the
+//! requested fraction. A leg is a section of the load program. A drive is the spring of a joint or tendon of a hand, with its force limit. A jump is
+//! a motion of the object, at constant load, to another equilibrium. The offset of a contact's springs is the command of its finger (a displacement)
+//! minus clearance and accumulated slip.
 
 use nalgebra::SVector;
 
@@ -20,7 +21,8 @@ use crate::object::{ForcesAndTwist, Problem};
 use crate::prelude::*;
 use crate::search::{FoundBy, SearchCounts, SearchSolution, reported_at_rest};
 
-/// A stored piece of the path, from the fraction `from` to the fraction `to` of a leg. The state at any fraction in this range is computed from it.
+/// A stored piece of the path, from the fraction `from` to the fraction `to` of a leg. Forces and twist at any fraction in this range are computed
+/// from it.
 #[derive(Debug)]
 pub(super) struct StoredPiece<'g> {
     pub(super) leg: usize,
@@ -36,7 +38,7 @@ pub(super) struct StoredPiece<'g> {
     pub(super) load: Trajectory<Wrench<3>>,
     /// Loads on single bodies at the beginning and at the end of the leg.
     pub(super) bodies: BodyLoads,
-    /// Torques that hold joints at the beginning and at the end of the leg.
+    /// Constant torques on joints at the beginning and at the end of the leg.
     pub(super) torques: HeldTorques,
     pub(super) states: Vec<State>,
     /// Forces, twist and gaps at the fraction `from` of the leg, with their rates along the piece.
@@ -45,11 +47,11 @@ pub(super) struct StoredPiece<'g> {
     pub(super) there: ForcesAndTwist,
     /// The integration step that made this piece; `None` unless a contact slides on the round cone.
     pub(super) arc_step: Option<ArcStep>,
-    /// The jump (motion at constant load) after which this piece, of zero length, was stored; `None` for all other pieces.
+    /// The jump after which this piece, of zero length, was stored; `None` for all other pieces.
     pub(super) jump: Option<Box<JumpRecord>>,
 }
 
-/// Slips and states of all contacts and drives in a jump from one equilibrium to another at constant load.
+/// Slips and states of all contacts and drives in a jump.
 #[derive(Debug)]
 pub(super) struct JumpRecord {
     /// For each contact or drive its accumulated slip before this sudden motion, m.
@@ -63,7 +65,7 @@ pub(super) struct JumpRecord {
 /// The integration step that made a piece of the path on an arc, along which directions of sliding turn.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct ArcStep {
-    /// The displacement, m, that counts as much in the arclength as one unit of the load factor, see [`super::arclength`].
+    /// The displacement, m, that counts as much in the arclength as the whole leg.
     pub(super) unit: f64,
     /// Arclength of the integration step.
     pub(super) length: f64,
@@ -71,8 +73,8 @@ pub(super) struct ArcStep {
 }
 
 impl<'g> StoredPiece<'g> {
-    /// The equilibrium at a fraction of the leg within this piece. Contacts without force are reported as open, unless all forces are rounding.
-    /// `None` if the equilibrium cannot be computed because of rounding.
+    /// The equilibrium at the fraction `fraction` of the leg within this piece. Contacts without force are reported as open, unless all forces are
+    /// rounding. `None` if the equilibrium cannot be computed because of rounding.
     pub(super) fn state_at(
         &self,
         grasp: &'g Engine,
@@ -110,7 +112,8 @@ impl<'g> StoredPiece<'g> {
         grasp.equilibrium(problem, &load, found, FoundBy::LoadPath, &SearchCounts::default(), answer_for)
     }
 
-    /// The static problem at a fraction of the leg within this piece, and its solution; `None` if it cannot be computed because of rounding.
+    /// The static problem at the fraction `fraction` of the leg within this piece, and its solution; `None` if it cannot be computed because of
+    /// rounding.
     pub(super) fn found_at(
         &self,
         grasp: &'g Engine,
@@ -136,8 +139,8 @@ impl<'g> StoredPiece<'g> {
                 &self.here.twist * (1.0 - part) + &self.there.twist * part,
             ),
         };
-        // Rounding errors are proportional to the sizes of force and displacement. On a straight leg these sizes grow along the piece. While the load
-        // turns, they are already the largest over all angles, so nothing is added.
+        // Rounding errors are proportional to the magnitudes of the terms of forces and displacements. On a straight leg these magnitudes grow along
+        // the piece. While the load turns, they are already the largest over all angles, so nothing is added.
         let step = if self.here.turned.is_some() { 0.0 } else { step };
         let found = SearchSolution {
             free_motions: self.here.free_motions.clone(),
@@ -183,8 +186,8 @@ impl<'g> StoredPiece<'g> {
         Some((problem, found))
     }
 
-    /// Forces and twist at a fraction of the leg within the integration step `arc_step`. If a single step to this fraction fails because of
-    /// rounding, several shorter steps lead to it. `None` if these fail, too.
+    /// Forces and twist at the fraction `fraction` of the leg within the integration step `arc_step`. If a single step to this fraction fails because
+    /// of rounding, several shorter steps lead to it. `None` if these fail, too.
     fn part_of_a_step(
         &self,
         arc_step: &ArcStep,
@@ -213,8 +216,8 @@ impl<'g> StoredPiece<'g> {
                 }
             }
         }
-        // All these steps have failed. The object may move in this step while the load is constant up to rounding; the state then does not depend on
-        // the load factor, and every state of the step is valid.
+        // All these steps have failed. The object may move in this step while the load is constant up to rounding. Forces and twist then do not
+        // depend on the fraction of the leg, and all those of the step are valid.
         let (to_the_start, to_the_end) = (fraction - self.from, self.to - fraction);
         // At fractions of the leg that differ by less than this, the loads are equal up to rounding.
         let near = to_the_start.min(to_the_end) <= 1e-15;
@@ -227,7 +230,7 @@ impl<'g> StoredPiece<'g> {
     }
 }
 
-/// Forces and twist of the state `point`, without its rates.
+/// Forces and twist of the path point `point`, without its rates.
 fn start_of(point: &PathPoint) -> ForcesAndTwist {
     ForcesAndTwist { forces: mapped(&point.lines, &|line| line.force), twist: point.twist.clone() }
 }

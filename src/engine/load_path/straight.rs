@@ -1,8 +1,8 @@
-//! Advance along a piece of the load path on which no contact slides on a round cone. Forces and motions are affine in the fraction of the leg. A
-//! ratio test gives the next event, where a force reaches an edge of its cone, a gap closes, or a slip reverses. While the load turns, forces and
-//! motions are harmonics of its angle, and the event is a root of a trigonometric polynomial ([`super::turning_load`]). A leg is a section of the
-//! load program; the load factor is the fraction of it that is done. The active set of a contact has the edges of its cone on which its force lies.
-//! An exit of a contact is a load factor at which its present state ends.
+//! Advance along a piece of the load path on which no contact slides on a round cone. Forces and motions are affine in the fraction of the leg that
+//! is done. A ratio test gives the next event, where a force reaches the boundary of its cone, a gap closes, or a slip reverses. While the load
+//! turns, forces and motions are harmonics of its angle, and the event is a root of a trigonometric polynomial ([`super::turning_load`]). A leg is a
+//! section of the load program. The active set of a contact has the facets of its friction cone on which its force lies. An exit of a contact is a
+//! point of the leg at which its present state ends.
 
 use super::event::PathEnd;
 use super::first_exits::ExitsReached;
@@ -24,8 +24,8 @@ impl<'g> PiecewiseFollower<'g> {
         };
         let rest = 1.0 - self.factor;
         let exits = self.segment.first_exits(&self.node.states, &point, rest).reached;
-        // If a contact reaches an edge of its cone at the end of the leg, up to rounding, the step ends with the leg. The edge then enters the
-        // active set of the contact when the next leg begins.
+        // If a contact reaches the boundary of its cone at the end of the leg, up to rounding, the step ends with the leg. The facet that the force
+        // has reached then enters the active set of the contact when the next leg begins.
         let at_the_end = |reached: &ExitsReached| {
             reached.iter().any(|(_, exits)| exits.iter().any(|e| (e.step - rest).abs() <= e.uncertainty))
         };
@@ -44,14 +44,14 @@ impl<'g> PiecewiseFollower<'g> {
         };
         let to = if leg_done { 1.0 } else { self.factor + step };
         // A step that is no longer than its own rounding error may in truth have length zero. Rounding may choose between two continuations of the
-        // path that lead back to each other. The path would then make such steps for ever.
+        // path that lead back to each other. If it did, the path would make such steps for ever.
         let uncertain = reached.iter().any(|(_, exits)| exits.iter().any(|exit| step <= exit.uncertainty));
         self.stalls = if to > self.factor && (leg_done || !uncertain) { 0 } else { self.stalls + 1 };
         // Up to this many steps in a row, each no longer than its own rounding error, may be events at one load. More such steps mean that
         // rounding makes the path cycle.
         let piled_up = self.stalls > 64;
         if piled_up && !self.runs_out(&reached) {
-            // Two continuations of the path alternate in steps of length zero, and only rounding would decide between them.
+            // Two continuations of the path alternate in steps of length zero, and only rounding decides between them.
             return Err(run.undecided(self.factor, Doubt::OnTheBoundary));
         }
         let end = self.state_after(&point, step);
@@ -70,16 +70,16 @@ impl<'g> PiecewiseFollower<'g> {
         Ok(leg_done)
     }
 
-    /// Forces and twist after the change `step` of the load factor along the present piece, which begins at `point`. The state is solved for at the
-    /// new load factor, or extrapolated if that fails.
+    /// Forces and twist after the change `step` of the fraction of the leg along the present piece, which begins at `point`. They are solved for at
+    /// the new fraction, or extrapolated if that fails.
     pub(super) fn state_after(&self, point: &PathPoint, step: f64) -> ForcesAndTwist {
         let near = point.after(step);
         self.segment.state(&point.linear_problem, self.factor + step, Some(&near.twist)).unwrap_or(near)
     }
 
-    /// Corrects `step`, the change of the load factor up to the exits `reached`. The step was extrapolated from the present state and has the
-    /// rounding error of this state. The correction follows from the state at the end of the step, which is solved for directly. A correction by more
-    /// than 1e-6 of the load factor (`LARGEST_CORRECTION`) is not applied.
+    /// Corrects `step`, the change of the fraction of the leg up to the exits `reached`. The step was extrapolated from the present path point and
+    /// has the rounding error of that point. The correction follows from forces and twist at the end of the step, which are solved for directly. A
+    /// correction by more than 1e-6 (`LARGEST_CORRECTION`) of the fraction of the leg there is not applied.
     fn corrected(&self, point: &PathPoint, step: f64, reached: &ExitsReached) -> f64 {
         let mut clearest: Option<(usize, &Exit)> = None;
         for (i, exits) in reached {

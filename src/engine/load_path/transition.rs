@@ -1,5 +1,5 @@
-//! The transition from one piece of the path (on which contacts keep their states) to the next. This file has the guess that no state changes, the
-//! list of changes of states, and the number of other continuations of the path.
+//! The transition from one piece of the path (on which contacts keep their states: open, sticking or sliding) to the next. This file has the guess
+//! that no state changes, the list of changes of states, and the number of other continuations of the path.
 //!
 //! The rate problem determines the rates of forces and motion along the path. Its kinematic form is a linear complementarity problem for the rates of
 //! gaps and slips. Its elastic trial is the solution in which all contacts stick.
@@ -16,8 +16,8 @@ use crate::object::Problem;
 use crate::prelude::*;
 use crate::search::{SearchSolution, combinations, search_among};
 
-/// The contact states of the rate problem `rates` (for rates of forces and motion) in which every contact keeps its present state, given in `states`.
-/// They are tried first. `None` if some contact cannot keep its state according to its law in `rates`.
+/// The contact states of the rate problem `rates` in which every contact keeps its present state, given in `states`. They are tried first. `None` if
+/// some contact cannot keep its state according to its law in `rates`.
 pub(super) fn nothing_changes(problem: &Problem, rates: &Problem, states: &[State]) -> Option<Vec<State>> {
     let locals = problem.locals().zip(&rates.laws).zip(states);
     all_some(locals.map(|((local, law), state)| local.in_the_rates(law, *state)))
@@ -43,10 +43,10 @@ pub(super) fn change(
     }
 }
 
-/// Number of solutions of `rates`, the problem for the rates of forces and motion, in addition to the solution `found`. Two solutions differ if rates
-/// of forces differ, or twist rates apart from motions that no spring resists. Zero if the matrix of the kinematic form of `rates` is a P-matrix,
-/// which proves uniqueness. Otherwise all combinations of contact states are tried. `None` if there are more than 256 combinations, or with a contact
-/// at the apex of a round cone.
+/// Number of solutions of the rate problem `rates` in addition to the solution `found`. Two solutions differ if rates of forces differ, or twist
+/// rates apart from motions that no spring resists. Zero if the matrix of the kinematic form of `rates` is a P-matrix, which proves uniqueness.
+/// Otherwise all combinations of contact states are tried. `None` if there are more than 256 combinations, or with a contact at the apex of a round
+/// cone.
 pub(super) fn other_solutions(rates: &Problem, found: &SearchSolution) -> Option<usize> {
     // In a rate problem `round` is true only if a contact is at the apex of a round cone. The solutions cannot be counted then: combinations of
     // states are tried on polygonal cones, on which the number of solutions may be different.
@@ -58,7 +58,7 @@ pub(super) fn other_solutions(rates: &Problem, found: &SearchSolution) -> Option
     if rows == 0 || few.as_ref().is_some_and(|few| few.form.lcp.has_p_matrix() == Some(true)) {
         return Some(0);
     }
-    // All combinations of states of the contacts on the edge of their cones are tried if there are at most this many; more would take too long.
+    // All combinations of states of the contacts on the boundary of their cones are tried if there are at most this many; more would take too long.
     if combinations(rates) > 256.0 {
         return None;
     }
@@ -77,7 +77,7 @@ pub(super) fn other_solutions(rates: &Problem, found: &SearchSolution) -> Option
                 apart -= v * v.dot(&apart);
             }
             let travel = known.twist.norm().max(other.twist.norm());
-            // Solutions are equal if their forces and motions differ by at most this fraction of their size.
+            // Solutions are equal if their forces and motions differ by at most this fraction of their magnitude.
             apart.norm() <= NEGLIGIBLE * travel
                 && known.forces.iter().zip(&other.forces).all(|(x, y)| (x - y).norm() <= NEGLIGIBLE * size)
         };
@@ -99,8 +99,8 @@ struct FewRows {
     many: bool,
 }
 
-/// The kinematic form of `rates`, the problem for the rates of forces and motion; the form has `rows` complementary pairs. `None` if there are
-/// no pairs or more than 64, or if the form cannot be computed.
+/// The kinematic form of the rate problem `rates`; the form has `rows` complementary pairs. `None` if there are no pairs or more than 64, or if the
+/// form cannot be computed.
 fn few_rows(rates: &Problem, rows: usize) -> Option<FewRows> {
     // With more complementary pairs than this, testing for a P-matrix costs more than all other work at the event.
     if rows == 0 || rows > 64 {

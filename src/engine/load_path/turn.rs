@@ -232,14 +232,14 @@ pub(super) fn inside(grasp: &Engine, load: &Harmonic<Wrench<3>>) -> Harmonic<Vec
     }
 }
 
-/// A contact whose force reaches the edge of its friction cone without crossing it. Or a drive of a hand that reaches its force limit without
+/// A contact whose force reaches the boundary of its friction cone without crossing it. Or a drive of a hand that reaches its force limit without
 /// exceeding it.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct EdgeTouch {
-    /// The contact that reaches the edge of its cone, or the drive that reaches its force limit.
+    /// The contact that reaches the boundary of its cone, or the drive that reaches its force limit.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub of: EdgeOf,
     /// The angle of the load at which the edge or the force limit is reached, rad.

@@ -15,14 +15,14 @@ use crate::grasp::Engine;
 use crate::prelude::*;
 use crate::search::{Settings, settle_at_rest};
 
-/// The onset of a turn: the angle at which the first contact stops sticking, and contacts whose forces touch the edge of their cones before that.
+/// The onset of a turn: the angle at which the first contact stops sticking, and contacts whose forces touch the boundary of their cones before that.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub struct TurnOnset<const C: usize> {
     /// The onset, whose load factor is the angle, rad. [`Onset::Never`] means that all contacts stick up to the last angle of the turn.
     pub onset: Onset<C>,
-    /// Contacts and drives that reach the edge of their cone within rounding, without crossing it, before the onset. If there are any, a change of
-    /// the last digits of the given grasp or load may turn such a touch into the onset.
+    /// Contacts and drives that reach the boundary of their cone within rounding, without crossing it, before the onset. If there are any, a change
+    /// of the last digits of the given grasp or load may turn such a touch into the onset.
     pub touches: Vec<EdgeTouch>,
 }
 

@@ -1,5 +1,5 @@
 //! Advances step by step to the next event along an arc, a piece of the load path. On an arc directions of sliding turn on the round cone. A leg is a
-//! section of the load program; the load factor is the fraction of it that is done.
+//! section of the load program; the fraction of the leg is the fraction of it that is done.
 //!
 //! Steps are in arclength, see [`super::flow`], and as long as the allowed error of the settings permits. An event is the point where one of
 //! these values vanishes. The first three lines are for a contact in the given state, the last line is for the path as a whole:
@@ -43,7 +43,8 @@ impl<'g> PiecewiseFollower<'g> {
         let Some(point) = self.point.take() else {
             return Err(run.undecided(self.factor, Doubt::OnTheBoundary));
         };
-        // After an event the unit of displacement is chosen so that the object's motion and the load factor have equal weight in the arclength.
+        // After an event the unit of displacement is chosen so that the object's motion and the fraction of the leg have equal weight in the
+        // arclength.
         let point = if self.pace.unit.is_some() {
             point
         } else {
@@ -69,8 +70,8 @@ impl<'g> PiecewiseFollower<'g> {
         let length = length.min(self.way_to_apex(&point)).min(self.part_of_a_turn(&point));
         let tolerance = run.settings.step_error * self.pace.error_factor;
         let (length, rule) = self.stable(&point, length, tolerance);
-        // A step shorter than this fraction of the load factor would leave the load factor unchanged, up to rounding. The arc then cannot be followed
-        // further with the present contact states.
+        // A step shorter than this fraction of the fraction of the leg would leave the fraction of the leg unchanged, up to rounding. The arc then
+        // cannot be followed further with the present contact states.
         if length <= 1e-13 * self.factor.max(f64::EPSILON) {
             if self.node.release_vanishing(&point) {
                 self.at_node = true;
@@ -132,8 +133,8 @@ impl<'g> PiecewiseFollower<'g> {
         is_here && contacts.iter().any(|contact| self.neither_sticks_nor_slides(*contact, tolerance))
     }
 
-    /// Whether forces nearly on the edge of their cones may now be treated as on the edge, and nearly closed gaps as closed. Events that are close
-    /// together then happen at one point of the path. This is done at most once at the same load factor.
+    /// Whether forces nearly on the boundary of their cones may now be treated as on the edge, and nearly closed gaps as closed. Events that are
+    /// close together then happen at one point of the path. This is done at most once at the same fraction of the leg.
     fn may_gather(&self) -> bool {
         self.gathered.is_nan() || (self.factor - self.gathered).abs() > NEGLIGIBLE
     }
@@ -165,9 +166,10 @@ impl<'g> PiecewiseFollower<'g> {
         }
     }
 
-    /// Whether the rates of the load factor and of all contact forces are zero within rounding, although the object moves. The load factor then tends
-    /// to a limit that it never reaches (an asymptote). The tolerance for a sliding contact's force is proportional to the rate at which its friction
-    /// turns towards its slip, as rounding is. Contacts that do not slide take up the rounding of all others, so their tolerance is the largest.
+    /// Whether the rates of the fraction of the leg and of all contact forces are zero within rounding, although the object moves. The fraction of
+    /// the leg then tends to a limit that it never reaches (an asymptote). The tolerance for a sliding contact's force is proportional to the rate at
+    /// which its friction turns towards its slip, as rounding is. Contacts that do not slide take up the rounding of all others, so their tolerance
+    /// is the largest.
     fn slides_away(&self, point: &PathPoint) -> bool {
         if point.factor_rate.abs() > STANDS_STILL {
             return false;
@@ -237,7 +239,7 @@ impl<'g> PiecewiseFollower<'g> {
 
     /// Moves the path to the end `end` of an accepted step from `point`. Edges of cones that contacts reach at this end are added to the active sets
     /// of these contacts, the conditions that hold with equality. Returns whether the leg is complete; an `Err` is a loss of equilibrium at a maximum
-    /// of the load factor.
+    /// of the load.
     fn finish_step(
         &mut self,
         run: &ProgramRun<'g>,
@@ -248,7 +250,7 @@ impl<'g> PiecewiseFollower<'g> {
         self.pace.accept(end.length, end.reached.error / tolerance, end.located.is_some());
         let to = end.reached.to;
         let leg_done = to >= 1.0;
-        // Whether the load factor has a maximum at the end of the step: its rate is zero there.
+        // Whether the load has a maximum at the end of the step: its rate is zero there.
         let grows = |watch: &ConditionValue| watch.what == WatchedCondition::Growth && watch.is_met();
         let tops = end.located.is_some() && end.watches.iter().any(grows);
         let next = end.reached.point.clone();

@@ -9,8 +9,9 @@ use crate::object::{ForcesAndTwist, LinearProblem};
 
 impl Segment<'_> {
     /// Returns the rates `rate` of forces and twist, shifted along free and neutral motions: along these motions the returned twist rate agrees with
-    /// `pushed`. Other components of the twist rate stay. `pushed` is the twist rate that solves the rate problem (for rates of forces and motion).
-    /// In this problem contacts that touch without force may push the object. If `pushed` is `None`, `rate` is returned unchanged.
+    /// `pushed`. Other components of the twist rate are not changed. `pushed` is the twist rate that solves the complementarity problem for the rates
+    /// of forces and motion. In this problem contacts that touch without force may push the object. If `pushed` is `None`, `rate` is returned
+    /// unchanged.
     pub(super) fn pushed_along(
         &self,
         linear_problem: &LinearProblem,
@@ -27,7 +28,8 @@ impl Segment<'_> {
         if moves { self.nearest(linear_problem, rate, pushed) } else { rate }
     }
 
-    /// A state or a rate, shifted along free and neutral motions of `linear_problem` until its twist is nearest to the twist or twist rate `near`.
+    /// Forces and twist, or their rates, shifted along free and neutral motions of `linear_problem` until the twist (or twist rate) is nearest to
+    /// `near`.
     pub(super) fn nearest(
         &self,
         linear_problem: &LinearProblem,

@@ -8,14 +8,14 @@ use crate::contact::{Line, Mode, State, tangential, tangential_norm};
 use crate::numerics::Each;
 use crate::prelude::*;
 
-/// The condition that is watched along an arc, named by what it concerns: a contact, the growth of the load factor, or the end of the leg.
+/// The condition that is watched along an arc, named by what it concerns: a contact, the growth of the fraction of the leg, or the end of the leg.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum WatchedCondition {
     /// The contact with this index satisfies the condition of its present state, such as a positive gap if it is open.
     Contact(usize),
-    /// The load factor grows along the arc: its rate per unit of arclength is positive.
+    /// The fraction of the leg grows along the arc: its rate per unit of arclength is positive.
     Growth,
-    /// The load factor is below 1, its value at the end of the leg.
+    /// The fraction of the leg is below 1, its value at the end of the leg.
     Leg,
 }
 
@@ -47,7 +47,7 @@ impl ConditionValue {
     }
 
     /// Whether the value decreases along the arc by more than rounding, or has an unknown rate. A constant value, such as a margin that stays zero,
-    /// does not decrease. Therefore contacts that do not move stay on the edge of their cones while others slide.
+    /// does not decrease. Therefore contacts that do not move stay on the boundary of their cones while others slide.
     pub(super) fn falls(&self) -> bool {
         self.rate.is_none_or(|[rate, size]| rate < -SLACK_ON_AN_ARC * size)
     }
@@ -71,14 +71,14 @@ pub(super) fn has_vanished(line: &Line) -> bool {
 }
 
 /// The conditions that must hold along an arc while contacts keep the states `states`. They are evaluated at the state `point` of the arc, at the
-/// load factor `factor`. The head of `turning` lists the conditions for each contact state.
+/// fraction of the leg `factor`. The head of `turning` lists the conditions for each contact state.
 pub(super) fn watch(
     segment: &Segment<'_>,
     states: &[State],
     (factor, point): (f64, &PathPoint),
 ) -> Vec<ConditionValue> {
-    // The rate of the load factor per unit of arclength, at most 1, is taken as zero up to 1e-8. When it is zero, the load factor is at a maximum. At
-    // a rate of 1e-8 the load factor differs from this maximum by about 1e-16, i.e. by rounding.
+    // The rate of the fraction of the leg per unit of arclength, at most 1, is taken as zero up to 1e-8. When it is zero, the fraction of the leg is
+    // at a maximum. At a rate of 1e-8 the fraction of the leg differs from this maximum by about 1e-16, i.e. by rounding.
     let mut list = vec![
         ConditionValue {
             what: WatchedCondition::Growth,

@@ -1,10 +1,10 @@
 //! Detects contacts that violate the condition of their state within a step, although the condition holds again at the end of the step. The
 //! condition is a force inside the friction cone or, for an open contact, a gap that is not negative.
 //!
-//! Forces of sticking contacts, and gaps, are linear in twist and load factor. At the fraction s of a step they follow the cubic polynomial through
-//! the values and rates at both ends. The error is at most `s²(1 - s)² g`, with a number g (N or m) that is estimated. A margin `μ F_n - |F_t|` is
-//! concave in the force. Hence on a piece of the cubic it is at least its minimum over the four Bézier points P_i of the piece. As pieces are halved,
-//! these points converge to the curve.
+//! Forces of sticking contacts, and gaps, are linear in twist and fraction of the leg. At the fraction s of a step they follow the cubic polynomial
+//! through the values and rates at both ends. The error is at most `s²(1 - s)² g`, with a number g (N or m) that is estimated. A margin `μ F_n -
+//! |F_t|` is concave in the force. Hence on a piece of the cubic it is at least its minimum over the four Bézier points P_i of the piece. As pieces
+//! are halved, these points converge to the curve.
 //!
 //! ```text
 //! F(s) = Σ_i B_i(s) P_i,   B_i >= 0,  Σ B_i = 1:      margin(F(s)) >= min_i margin(P_i)
@@ -72,8 +72,8 @@ fn along(value: f64) -> SVector<f64, 3> {
 }
 
 impl BoundedCubic {
-    /// The cubic with the values a, b and the changes per step da, db at both ends of a step. `size` is the size of the terms whose difference the
-    /// margin is, N or m, and `step_error` the allowed relative error of a step.
+    /// The cubic with the values a, b and the changes per step da, db at both ends of a step. `size` is the magnitude of the terms whose difference
+    /// the margin is, N or m, and `step_error` the allowed relative error of a step.
     pub(super) fn new(
         ([a, b], [da, db]): ([SVector<f64, 3>; 2], [SVector<f64, 3>; 2]),
         cone: Option<Coulomb>,

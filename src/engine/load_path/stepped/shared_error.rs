@@ -20,9 +20,9 @@
 //! distance by which a sticking contact's force may have been outside its cone within the step. It also holds for the error of the force of an
 //! opening or closing contact.
 //!
-//! If a contact begins to slide, the derivative of the twist with respect to the load factor jumps. The twist then deviates by up to `2 off`. The
-//! component of this deviation along the slip of a sliding contact changes no force. The component across the slip changes the friction force as if
-//! the contact stuck. Thus only the rotation of friction forces on the cones makes an error.
+//! If a contact begins to slide, the derivative of the twist with respect to the fraction of the leg jumps. The twist then deviates by up to `2 off`.
+//! The component of this deviation along the slip of a sliding contact changes no force. The component across the slip changes the friction force as
+//! if the contact stuck. Thus only the rotation of friction forces on the cones makes an error.
 
 use nalgebra::SVector;
 
@@ -54,10 +54,10 @@ impl StepProblem<'_> {
         let bend_at = |began: &SVector<f64, 3>, slide: &Slide| {
             let began = tangential(began);
             let turned = (began / tangential_norm(&began) - slide.direction).norm();
-            // If a contact begins to slide within a half of the step, the derivative of the twist with respect to the load factor jumps there. The
-            // twist then deviates from a straight line by up to twice its deviation in the middle. The error of the friction force is at most this
-            // deviation, as a force in the springs, times the angle by which the direction of slip turns. The deviation, as a force, is capped at the
-            // magnitude of the friction force: a turn by an angle changes the friction force by at most this magnitude times the angle.
+            // If a contact begins to slide within a half of the step, the derivative of the twist with respect to the fraction of the leg jumps
+            // there. The twist then deviates from a straight line by up to twice its deviation in the middle. The error of the friction force is at
+            // most this deviation, as a force in the springs, times the angle by which the direction of slip turns. The deviation, as a force, is
+            // capped at the magnitude of the friction force: a turn by an angle changes the friction force by at most this magnitude times the angle.
             let most = (2.0 * bend.norm()).min(tangential_norm(&began));
             if turned > 0.0 { most * turned } else { 0.0 }
         };

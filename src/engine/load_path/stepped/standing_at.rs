@@ -1,5 +1,5 @@
-//! The equilibrium at a point of a path followed in steps, and the contacts that are then on the edge of their cones. A leg is a section of the load
-//! program.
+//! The equilibrium at a point of a path followed in steps, and the contacts that are then on the boundary of their cones. A leg is a section of the
+//! load program.
 
 use nalgebra::SVector;
 
@@ -30,7 +30,7 @@ impl SteppedState {
         run.equilibrium(&problem, self.fraction, found)
     }
 
-    /// The contact forces of this state, and the problem for the rates of forces and motion in this state. A contact counts as on the edge of its
+    /// The contact forces of this state, and the problem for the rates of forces and motion in this state. A contact counts as on the boundary of its
     /// cone if the distance of its force from the edge is at most 1e-9 of the largest force. The last steps of a path cannot resolve smaller
     /// distances.
     pub(super) fn edge<'g>(&self, run: &ProgramRun<'g>) -> StateAtEdge<'g> {
