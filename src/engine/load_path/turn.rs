@@ -1,5 +1,5 @@
-//! A load that turns: a harmonic function of an angle. A leg is a section of a load program; its load factor is the fraction of the leg that is done.
-//! A drive is the spring of a joint or tendon with its motor.
+//! A load that turns: a harmonic function of an angle. A leg is a section of a load program. A drive is the spring of a joint or tendon of a hand,
+//! with its force limit. In names of this file, `edge` is the boundary of a contact's friction cone, or the force limit of a drive.
 
 use core::f64::consts::TAU;
 
@@ -16,8 +16,8 @@ use crate::serial::AsComputed;
 
 /// A load that turns: at angle θ >= 0 (rad) it is `constant + cosine cos θ + sine sin θ`; finger commands stay constant.
 ///
-/// An example is the weight of an object tilted together with its grasp, in the frame of the object, in which grasps are given: see
-/// [`Turn::tilting`].
+/// An example is the weight of an object that is tilted together with its grasp ([`Turn::tilting`]). In the frame of the object, in which grasps are
+/// given, its direction turns.
 ///
 /// ```
 /// use grasp_lcp::planar::{Turn, Wrench};
@@ -110,8 +110,8 @@ impl Turn<3> {
 }
 
 impl<const C: usize> Turn<C> {
-    /// The load of a leg (section of a load program) with this turn, as a function of the load factor. It begins with `load`, and changes from there
-    /// as the load of this turn changes from angle zero on. One unit of the load factor is the whole turn.
+    /// The load of a leg (section of a load program) with this turn, as a function of the fraction of the leg. It begins with `load`, and changes
+    /// from there as the load of this turn changes from angle zero on. The whole leg is the whole turn.
     pub(super) fn beginning_with(&self, load: &Wrench<C>) -> Trajectory<Wrench<C>> {
         let load = Harmonic { constant: *load - self.load.cosine, ..self.load };
         Trajectory::Turn { load, angle: self.angle }
@@ -137,7 +137,7 @@ impl<const C: usize> Turn<C> {
 
     /// Refuses, with an error, an angle that is not positive or beyond 1e6 rad.
     pub(crate) fn check_angle(&self) -> Result<(), Error> {
-        // At larger angles the rounding of the angle would leave no accurate position within a revolution.
+        // At larger angles the rounding error of the angle is no longer small within a revolution.
         if !(self.angle > 0.0 && self.angle <= 1e6) {
             let allowed = "more than 0 and at most 1e6 rad";
             return Err(Error::Argument { what: "angle of the turn", value: self.angle, allowed });
@@ -212,7 +212,7 @@ impl Turn<3> {
     /// rule.
     ///
     /// # Errors
-    /// As for [`Self::force_at`].
+    /// [`Error::Argument`] if the axis has no direction.
     pub fn tilting(
         weight: impl Into<[f64; 3]>,
         point: impl Into<[f64; 3]>,
@@ -222,8 +222,8 @@ impl Turn<3> {
     }
 }
 
-/// The turning load `load`, which has been checked, in the engine's coordinates. The constant loads that act beside it are added, as in
-/// [`Turn::inside`].
+/// The turning load `load`, which has been checked, in the engine's coordinates. The constant pull of the suction cups' vacuums and the constant
+/// loads on bodies and joints are added to its constant term.
 pub(super) fn inside(grasp: &Engine, load: &Harmonic<Wrench<3>>) -> Harmonic<Vector> {
     Harmonic {
         constant: grasp.load_unchecked(&load.constant),
@@ -242,7 +242,7 @@ pub struct EdgeTouch {
     /// The contact that reaches the boundary of its cone, or the drive that reaches its force limit.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub of: EdgeOf,
-    /// The angle of the load at which the edge or the force limit is reached, rad.
+    /// The angle of the load at which the boundary or the force limit is reached, rad.
     #[cfg_attr(feature = "serde", serde(rename = "angle_rad", with = "AsComputed::<f64>"))]
     pub angle: f64,
 }

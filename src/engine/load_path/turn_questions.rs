@@ -1,9 +1,9 @@
-//! The onset (first slip or opening) while a load turns.
+//! The onset while a load turns, i.e. the angle at which the first contact slides or opens.
 //!
 //! While all contacts stick, the force of each is `F(θ) = F⁰ + F^c cos θ + F^s sin θ` at the angle θ of the load. Three linear solves give F⁰, F^c
-//! and F^s. The margin of a contact is the distance of its force from the edge of its friction cone. The contact stops sticking at the first angle at
-//! which its margin becomes negative. The margin is a trigonometric polynomial of the angle: of degree one for each facet, of degree two on the round
-//! cone.
+//! and F^s. The margin of a contact is the distance of its force from the boundary of its friction cone. The contact stops sticking at the first
+//! angle at which its margin becomes negative. The margin is a trigonometric polynomial of the angle: of degree one for each facet, of degree two on
+//! the round cone.
 
 use super::first_to_leave::{WhileTurning, first_to_leave_on_turn};
 use super::onset::Onset;
@@ -19,7 +19,7 @@ use crate::search::{Settings, settle_at_rest};
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub struct TurnOnset<const C: usize> {
-    /// The onset, whose load factor is the angle, rad. [`Onset::Never`] means that all contacts stick up to the last angle of the turn.
+    /// The onset; its field for the load factor has the angle, rad. [`Onset::Never`] means that all contacts stick up to the last angle of the turn.
     pub onset: Onset<C>,
     /// Contacts and drives that reach the boundary of their cone within rounding, without crossing it, before the onset. If there are any, a change
     /// of the last digits of the given grasp or load may turn such a touch into the onset.
@@ -27,7 +27,6 @@ pub struct TurnOnset<const C: usize> {
 }
 
 impl Engine {
-    /// Implements [`Grasp::onset_of_turn`](crate::ask::Grasp::onset_of_turn).
     pub(crate) fn onset_of_turn(&self, turn: &Turn<3>, settings: &Settings) -> Result<TurnOnset<3>, Error> {
         turn.check_in(self.space())?;
         let inside = turn.inside(self);

@@ -1,17 +1,19 @@
-//! Advances step by step to the next event along an arc, a piece of the load path. On an arc directions of sliding turn on the round cone. A leg is a
-//! section of the load program; the fraction of the leg is the fraction of it that is done.
+//! Advances step by step to the next event (change of contact states) along an arc, a piece of the load path. On an arc directions of sliding turn on
+//! the round cone. A leg is a section of the load program; λ is the fraction of the leg that is done. A margin is the distance of a contact force
+//! from the boundary of its friction cone.
 //!
-//! Steps are in arclength, see [`super::flow`], and as long as the allowed error of the settings permits. An event is the point where one of
-//! these values vanishes. The first three lines are for a contact in the given state, the last line is for the path as a whole:
+//! Steps are in arclength, measured along the curve of the twist, divided by a unit of displacement, and of λ ([`super::flow`]). They are as long as
+//! the allowed error of the settings permits. An event is the point where one of these values vanishes. The first three lines are for a contact in
+//! the given state, the last line is for the path as a whole:
 //!
 //! ```text
 //! sticking  μ F_n - |F_t|, or F_n where friction is infinite or zero
 //! open      the gap
 //! sliding   the slip rate along the friction force, and F_n
-//! path      the rate of the load factor, and the rest of the leg
+//! path      the rate of λ, and the rest of the leg
 //! ```
 //!
-//! The event is found by repeating the last step with other lengths until the step ends at the event, see [`super::crossing`].
+//! The event is found by repeating the last step with other lengths until the step ends at the event ([`super::crossing`]).
 
 use crate::numerics::IntoList;
 use nalgebra::SVector;
@@ -43,8 +45,7 @@ impl<'g> PiecewiseFollower<'g> {
         let Some(point) = self.point.take() else {
             return Err(run.undecided(self.factor, Doubt::OnTheBoundary));
         };
-        // After an event the unit of displacement is chosen so that the object's motion and the fraction of the leg have equal weight in the
-        // arclength.
+        // After an event the unit of displacement is chosen so that the object's motion and λ have equal weight in the arclength.
         let point = if self.pace.unit.is_some() {
             point
         } else {
@@ -70,8 +71,8 @@ impl<'g> PiecewiseFollower<'g> {
         let length = length.min(self.way_to_apex(&point)).min(self.part_of_a_turn(&point));
         let tolerance = run.settings.step_error * self.pace.error_factor;
         let (length, rule) = self.stable(&point, length, tolerance);
-        // A step shorter than this fraction of the fraction of the leg would leave the fraction of the leg unchanged, up to rounding. The arc then
-        // cannot be followed further with the present contact states.
+        // If the arclength of a step is at most this fraction of λ, the step changes λ by rounding only. The arc then cannot be followed further with
+        // the present contact states.
         if length <= 1e-13 * self.factor.max(f64::EPSILON) {
             if self.node.release_vanishing(&point) {
                 self.at_node = true;
@@ -101,9 +102,9 @@ impl<'g> PiecewiseFollower<'g> {
         self.finish_step(run, &point, &end)
     }
 
-    /// The step `end` from `point`, shortened so that it ends where the value of a condition (see the list at the head of this file) first becomes
-    /// zero. A condition that is violated only within the step, and holds again at its end, is found, too. `None` if the end of the shortened step is
-    /// not found.
+    /// The step `end` from `point`, shortened so that it ends where the value of a condition (one of the values that the head of this file lists)
+    /// first becomes zero. A condition that is violated only within the step, and holds again at its end, is found, too. `None` if the end of the
+    /// shortened step is not found.
     fn up_to_a_crossing(&self, point: &PathPoint, mut end: StepEnd, tolerance: f64) -> Option<StepEnd> {
         let start = watch(&self.segment, &self.node.states, (self.factor, point));
         let mut looks = 0;
@@ -112,13 +113,13 @@ impl<'g> PiecewiseFollower<'g> {
                 end = self.locate(point, &start, end, condition)?;
             }
             let ends = [point, &end.reached.point];
-            // The bounds on margins within a step (distances of forces from the edge of their cones) are used on a straight leg only. While the
-            // load turns, these bounds would shorten steps needlessly.
+            // The bounds on margins within a step are used on a straight leg only. If they were used while the load turns, they would shorten steps
+            // needlessly.
             let is_straight = matches!(self.segment.trajectory, Trajectory::Straight { .. });
             let dip = is_straight
                 .then(|| first_dip(&self.segment, &self.node.states, ends, (end.length, tolerance)))
                 .flatten();
-            // A step within which a condition of a contact state may be violated is shortened. After twenty shortenings the step is made as it is.
+            // A step within which a condition for a contact state may be violated is shortened. After twenty shortenings the step is made as it is.
             let Some(part) = dip.filter(|_| looks < 20) else { return Some(end) };
             looks += 1;
             end = self.step(point, (part * end.length, 0), end.rule)?;
@@ -128,19 +129,19 @@ impl<'g> PiecewiseFollower<'g> {
     /// Whether some contact whose slip has ended at the present point of the path can neither stick nor slide on.
     fn stops_for_good(&self, tolerance: f64) -> bool {
         let (at, contacts) = &self.stopped;
-        // Load factors that differ by less than this are taken as the same point of the path.
+        // Fractions of the leg that differ by less than this are taken as the same point of the path.
         let is_here = (self.factor - at).abs() <= NEGLIGIBLE;
         is_here && contacts.iter().any(|contact| self.neither_sticks_nor_slides(*contact, tolerance))
     }
 
-    /// Whether forces nearly on the boundary of their cones may now be treated as on the edge, and nearly closed gaps as closed. Events that are
-    /// close together then happen at one point of the path. This is done at most once at the same fraction of the leg.
+    /// Whether forces nearly on the boundary of their cones may now be treated as on it, and nearly closed gaps as closed. Events that are close
+    /// together then happen at one point of the path. This is done at most once at the same fraction of the leg.
     fn may_gather(&self) -> bool {
         self.gathered.is_nan() || (self.factor - self.gathered).abs() > NEGLIGIBLE
     }
 
     /// The arclength along which the load turns by a quarter of a radian; infinite for a load that changes linearly. Along a longer step a contact
-    /// could violate the condition of its state, and yet satisfy it again at the end.
+    /// may violate the condition of its state, and yet satisfy it again at the end.
     fn part_of_a_turn(&self, point: &PathPoint) -> f64 {
         match self.segment.trajectory {
             // In one integration step the load turns by at most this angle, rad.
@@ -155,7 +156,7 @@ impl<'g> PiecewiseFollower<'g> {
         let unit = self.pace.unit.unwrap_or(1.0);
         let flow = Flow::new(&self.segment, &self.node.states, self.factor, point, unit);
         // The longest explicit step is four times the length over which the fastest direction of friction relaxes towards the slip. Steps longer than
-        // about six such lengths would be unstable.
+        // about six such lengths are unstable.
         let stable = 4.0 / flow.fastest_relaxation();
         let rest = (1.0 - self.factor) / point.factor_rate;
         self.pace.implicit |= self.pace.needs_implicit_steps(stable, rest);
@@ -166,10 +167,9 @@ impl<'g> PiecewiseFollower<'g> {
         }
     }
 
-    /// Whether the rates of the fraction of the leg and of all contact forces are zero within rounding, although the object moves. The fraction of
-    /// the leg then tends to a limit that it never reaches (an asymptote). The tolerance for a sliding contact's force is proportional to the rate at
-    /// which its friction turns towards its slip, as rounding is. Contacts that do not slide take up the rounding of all others, so their tolerance
-    /// is the largest.
+    /// Whether the rates of λ and of all contact forces are zero within rounding, although the object moves. λ then tends to a limit that it never
+    /// reaches (an asymptote). The tolerance for a sliding contact's force is proportional to the rate at which its friction turns towards its slip,
+    /// as rounding is. Contacts that do not slide take up the rounding of all others, so their tolerance is the largest.
     fn slides_away(&self, point: &PathPoint) -> bool {
         if point.factor_rate.abs() > STANDS_STILL {
             return false;
@@ -188,17 +188,17 @@ impl<'g> PiecewiseFollower<'g> {
     fn straight_length(&self, point: &PathPoint) -> Option<f64> {
         let rest = (1.0 - self.factor) / point.factor_rate;
         let last = point.lines.iter().zip(&self.node.states).filter_map(way_to_nothing);
-        // A normal force that is almost zero may vanish within the leg: the straight step ends there. Or it would vanish beyond the end of the leg,
-        // by less than the rest of the leg: one straight step to the end of the leg is made. A step of the integration might stop short of this end,
-        // and the normal force at the beginning of the next step would count as zero.
+        // A normal force that is almost zero may vanish within the leg: the straight step ends there. Or at its rate it vanishes beyond the end of
+        // the leg, by less than the rest of the leg: one straight step to the end of the leg is made. If a step of the integration stopped short of
+        // this end, the normal force at the beginning of the next step would count as zero.
         if let Some(way) = last.reduce(f64::min).filter(|way| *way < 2.0 * rest) {
             return Some(way.min(rest));
         }
         let force_way = point.sizes[0] / point.rate_sizes[0];
-        // `force_way` is the arclength along which forces change by their own size. If it is at most 1e-12 (`SOLVED_ROUNDING`) of the rest of the
-        // leg, all forces are rounding errors. The rest of the leg is then used in its place.
+        // `force_way` is the arclength along which forces change by their own magnitude. If it is at most 1e-12 (`SOLVED_ROUNDING`) of the rest of
+        // the leg, all forces are rounding errors. The rest of the leg is then used in its place.
         let way = if force_way > SOLVED_ROUNDING * rest { rest.min(force_way) } else { rest };
-        // The first step from the apex of a cone is 1e-6 of the length along which forces change by their own size. The direction of friction is
+        // The first step from the apex of a cone is 1e-6 of the length along which forces change by their own magnitude. The direction of friction is
         // taken as constant in this step, with an error of about the square of 1e-6.
         self.node.starts_at_apex.then_some(1e-6 * way)
     }
@@ -211,8 +211,8 @@ impl<'g> PiecewiseFollower<'g> {
             let touches = ActiveSet::is_weightless(f, line.force_size);
             if state.slides() && !touches {
                 let turn = (f[1] * df[2] - f[2] * df[1]).abs() / (f[1] * f[1] + f[2] * f[2]);
-                // Along the first step no direction of friction turns by more than this angle (rad), at its initial rate. Longer first steps would
-                // have too large an error and be refused; shorter ones would cost additional steps.
+                // Along the first step no direction of friction turns by more than this angle (rad), at its initial rate. Longer first steps have, as
+                // a rule, too large an error and are refused; shorter ones cost additional steps.
                 let first_turn = 0.3;
                 if turn.is_finite() && turn * length > first_turn {
                     length = first_turn / turn;
@@ -237,9 +237,9 @@ impl<'g> PiecewiseFollower<'g> {
         way
     }
 
-    /// Moves the path to the end `end` of an accepted step from `point`. Edges of cones that contacts reach at this end are added to the active sets
-    /// of these contacts, the conditions that hold with equality. Returns whether the leg is complete; an `Err` is a loss of equilibrium at a maximum
-    /// of the load.
+    /// Moves the path to the end `end` of an accepted step from `point`. If contact forces reach the boundary or the apex of their cones at this end,
+    /// the facets (on the round cone, tangent planes) or the apex are added to the active sets of these contacts. Returns whether the leg is
+    /// complete; an `Err` is a loss of equilibrium at a maximum of the load.
     fn finish_step(
         &mut self,
         run: &ProgramRun<'g>,
@@ -332,8 +332,8 @@ impl<'g> PiecewiseFollower<'g> {
 /// vanishes. `None` for any other contact.
 fn way_to_nothing((line, state): (&Line, &State)) -> Option<f64> {
     let falls = state.slides() && line.rate[0] < -ZERO_SLACK * line.rate_size;
-    // A decreasing normal force below this fraction of the terms whose sum it is determines the direction of friction no longer, which further
-    // integration would need. Such a force is followed to zero along the tangent of the path.
+    // A decreasing normal force below this fraction of the terms whose sum it is no longer determines the direction of friction, which further
+    // integration needs. Such a force is followed to zero along the tangent of the path.
     let little = falls && line.force[0] > 0.0 && line.force[0] <= 1e-10 * line.force_size;
     little.then(|| line.force[0] / -line.rate[0])
 }

@@ -1,6 +1,6 @@
-//! The state of a load path under a load that turns. Three linear solves give this state, one each for the constant, cosine and sine terms of the
-//! load. As long as contacts keep their states, the solutions also give forces, stretches and twist as harmonic functions of the load's angle. A leg
-//! is a section of the load program; the load factor is the fraction of it that is done.
+//! Contact forces and twist of a load path under a load that turns. Three linear solves give them, one each for the constant, cosine and sine terms
+//! of the load. As long as contacts keep their states (open, sticking or sliding), the solutions also give forces, stretches and twist as harmonic
+//! functions of the load's angle. A leg is a section of the load program. The load factor is here the fraction of the leg that is done.
 
 use alloc::sync::Arc;
 
@@ -21,7 +21,7 @@ impl Segment<'_> {
     pub(super) fn load_turns_back(&self, factor: f64) -> bool {
         let Trajectory::Turn { load, angle } = &self.trajectory else { return false };
         // The rate of the load is taken as zero below this fraction of the largest rate that the load has while it turns. Rounding of the angle
-        // causes a rate of about this size.
+        // causes a rate of about this magnitude.
         load.rate_at(angle * factor).norm() <= SOLVED_ROUNDING * (load.cosine.norm() + load.sine.norm())
     }
 
@@ -55,8 +55,8 @@ impl Segment<'_> {
         let mut point =
             self.point_with_rates(linear_problem.clone(), factor, at.clone(), (&rate, 1.0), (factor, &at));
         let turned = self.harmonics(&turned_load, angle, &parts);
-        // The rounding error of a force or gap is proportional to its size over all angles of the load. It does not vanish at an angle at which the
-        // force or gap vanishes.
+        // The rounding error of a force or gap is proportional to its largest magnitude over all angles of the load. It does not vanish at an angle
+        // at which the force or gap vanishes.
         for ((line, gap), [force, stretch]) in point.lines.iter_mut().zip(&mut point.gaps).zip(&turned.waves)
         {
             line.force_size = line.force_size.max(force.size);
@@ -104,8 +104,8 @@ impl Segment<'_> {
             let of = states.map(|(offsets, _, part)| sites[i].stretch(&offsets[i], &part.twist));
             let spans = states.map(|(offsets, _, part)| sites[i].span(&offsets[i], &part.twist));
             let turning_size = spans.cosine + spans.sine;
-            // The size of a stretch includes the accumulated slip, which is subtracted from the command. If slip and command cancel, their rounding
-            // errors do not.
+            // The magnitude to which the rounding error of a stretch is proportional includes the accumulated slip, which is subtracted from the
+            // command. If slip and command cancel, their rounding errors do not.
             let size = problem.slips[i].norm() + spans.constant + turning_size;
             [force, Wave { of, size, turning_size }]
         };

@@ -1,6 +1,6 @@
-//! Forces, stretches and twist under a load that turns while contacts keep their states: harmonic functions of the load's angle. The first exit,
-//! where the present state of a contact ends, is a root of a trigonometric polynomial. The load factor says how far the load has turned. A drive is
-//! the spring of a joint or tendon of a hand.
+//! Forces, stretches and twist under a load that turns while contacts keep their states (open, sticking or sliding): harmonic functions of the load's
+//! angle. The first exit, where the present state of a contact ends, is a root of a trigonometric polynomial. The load factor is here the angle by
+//! which the load has turned, divided by a given angle. A drive is the spring of a joint or tendon of a hand, with its force limit.
 
 use super::first_exits::{FirstExits, first_reached};
 use crate::contact::{Exit, State, TurningExit, Wave};
@@ -29,7 +29,7 @@ impl TurningState {
     }
 
     /// The first point, within the change `rest` of the load factor, at which one of the contact states `states` ends. The result also lists the
-    /// edges of cones that forces touch, without crossing them, before this point.
+    /// contacts whose forces touch the boundary of their cones, without crossing it, before this point.
     pub(super) fn first_exits(&self, problem: &Problem<'_>, states: &[State], rest: f64) -> FirstExits {
         let (mut ways, mut touches) = (Vec::new(), Vec::new());
         for (i, ((local, state), [force, stretch])) in

@@ -1,5 +1,7 @@
-//! The conditions that must hold along an arc, a piece of the path on which directions of sliding turn. Each is a value that must stay positive,
-//! such as the gap of an open contact. Where such a value becomes zero, the piece ends. A leg is a section of the load program.
+//! The conditions that must hold along an arc, a piece of the path on which directions of sliding turn. Each is a value that must stay positive, such
+//! as the gap of an open contact. Where such a value becomes zero, the piece ends. A leg is a section of the load program; λ is the fraction of the
+//! leg that is done. Rounding errors of a value are proportional to its rounding scale (`size`), the magnitude of the terms from which it is
+//! computed.
 
 use super::segment::{PathPoint, Segment};
 use super::tolerances::{SLACK_ON_AN_ARC, VANISHING_NORMAL};
@@ -8,24 +10,23 @@ use crate::contact::{Line, Mode, State, tangential, tangential_norm};
 use crate::numerics::Each;
 use crate::prelude::*;
 
-/// The condition that is watched along an arc, named by what it concerns: a contact, the growth of the fraction of the leg, or the end of the leg.
+/// The condition that is watched along an arc, named by what it concerns: a contact, the growth of λ, or the end of the leg.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum WatchedCondition {
     /// The contact with this index satisfies the condition of its present state, such as a positive gap if it is open.
     Contact(usize),
-    /// The fraction of the leg grows along the arc: its rate per unit of arclength is positive.
+    /// λ grows along the arc: its rate per unit of arclength is positive.
     Growth,
-    /// The fraction of the leg is below 1, its value at the end of the leg.
+    /// λ is below 1, its value at the end of the leg.
     Leg,
 }
 
-/// The value that a condition requires to be positive, at one point of an arc. Its rounding error is proportional to its field `size`.
+/// The value that a condition requires to be positive, at one point of an arc, with its rounding scale `size`.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct ConditionValue {
     pub(super) what: WatchedCondition,
     pub(super) value: f64,
-    /// The rate of the value per unit of arclength, and the size to which the rounding error of this rate is proportional. `None` if the rate is not
-    /// known.
+    /// The rate of the value per unit of arclength, and the rounding scale of this rate. `None` if the rate is not known.
     rate: Option<[f64; 2]>,
     size: f64,
 }
@@ -70,15 +71,16 @@ pub(super) fn has_vanished(line: &Line) -> bool {
     line.force[0] < 0.0 && line.force[0] >= -VANISHING_NORMAL * line.force_size
 }
 
-/// The conditions that must hold along an arc while contacts keep the states `states`. They are evaluated at the state `point` of the arc, at the
-/// fraction of the leg `factor`. The head of `turning` lists the conditions for each contact state.
+/// The conditions that must hold along an arc while contacts keep the states `states`. They are evaluated at the point `point` of the arc, at the
+/// fraction `factor` of the leg. For a sticking contact the value is μ F_n - |F_t|, or F_n where friction is infinite or zero; for an open contact
+/// the gap. For a sliding contact the values are the slip rate along the friction force, and F_n.
 pub(super) fn watch(
     segment: &Segment<'_>,
     states: &[State],
     (factor, point): (f64, &PathPoint),
 ) -> Vec<ConditionValue> {
-    // The rate of the fraction of the leg per unit of arclength, at most 1, is taken as zero up to 1e-8. When it is zero, the fraction of the leg is
-    // at a maximum. At a rate of 1e-8 the fraction of the leg differs from this maximum by about 1e-16, i.e. by rounding.
+    // The rate of λ per unit of arclength, at most 1, is taken as zero up to 1e-8. When it is zero, λ is at a maximum. Near a maximum, the path turns
+    // by about 1 rad per unit of arclength. At a rate of 1e-8, λ thus differs from its maximum by about 1e-16, i.e. by rounding.
     let mut list = vec![
         ConditionValue {
             what: WatchedCondition::Growth,
@@ -96,8 +98,8 @@ pub(super) fn watch(
     // If the load changes linearly, a value that changes by less than its rounding error over the rest of the leg is taken as constant. While the
     // load turns, a rate that is zero at this point may grow, so no value is taken as constant.
     let straight = matches!(segment.trajectory, Trajectory::Straight { .. });
-    // The rate of a value counts as rounding up to `size * per_length`. A rate of this size changes the value by its rounding error over the rest of
-    // the leg. The rest is taken as at least a hundredth of the leg, since at the end of the leg it is zero.
+    // The rate of a value counts as rounding up to `size * per_length`. A rate of this magnitude changes the value by its rounding error over the
+    // rest of the leg. The rest is taken as at least a hundredth of the leg, since at the end of the leg it is zero.
     let per_length = point.factor_rate / (1.0 - factor).max(0.01);
     for (contact, state) in states.iter().enumerate() {
         let (line, local) = (&point.lines[contact], segment.problem.local(contact));
@@ -126,8 +128,8 @@ pub(super) fn watch(
                 push(line.force[0], Some([line.rate[0], line.rate_size]), line.force_size);
             }
             Mode::Sticking => {}
-            // With almost no normal force, rounding alone would determine whether the contact stops sliding. The condition of the contact is
-            // therefore taken as satisfied.
+            // With almost no normal force, rounding alone determines whether the contact stops sliding. The condition of the contact is therefore
+            // taken as satisfied.
             _ if is_vanishing(line) => push(f64::INFINITY, None, 1.0),
             _ => {
                 let p = tangential(&line.force) / tangential_norm(&line.force);

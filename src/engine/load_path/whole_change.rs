@@ -1,6 +1,6 @@
 //! Events of whole contacts, i.e. of point contacts, and of soft fingertips with all their contact points. At an event contact points change their
-//! states (stick, slide, open) under one load. A soft fingertip begins to slide with its first point, and slides everywhere with its last; changes of
-//! the points between are not reported.
+//! states (sticking, sliding, open) at one point of a load path. A soft fingertip begins to slide with its first point, and slides everywhere with
+//! its last; changes of the points between are not reported.
 
 use core::fmt;
 
@@ -46,8 +46,8 @@ pub enum PadChange<const C: usize> {
     Touches,
     /// The last points of a fingertip touch, so that no point is open.
     TouchesEverywhere,
-    /// The contact is kept closed, and its normal force has fallen to zero. Beyond the event it would have to pull on the object, and while it pulls
-    /// it cannot have a friction force.
+    /// The contact is kept closed, and its normal force has fallen to zero. If it stayed closed beyond the event, it would have to pull on the
+    /// object, and while it pulls it cannot have a friction force.
     WouldPull,
 }
 
@@ -89,8 +89,8 @@ impl<const C: usize> WholeChange<C> {
         self.verb_in(Words::default())
     }
 
-    /// The same as [`Self::verb`], with numbers in the format `words`. Only the verb of a contact whose direction of sliding turns has numbers, the
-    /// components of the new direction: "turns to (0.6, 0.8, 0)".
+    /// The verb of a sentence about this change, with numbers in the format `words`. Only the verb of a contact whose direction of sliding turns has
+    /// numbers, the components of the new direction: "turns to (0.6, 0.8, 0)".
     #[must_use]
     pub fn verb_in(&self, words: Words) -> String {
         let said = format!("{self:.*}", words.precision());

@@ -1,8 +1,9 @@
-//! Detects contacts that violate the condition of their state within a step, although the condition holds again at the end of the step. The
-//! condition is a force inside the friction cone or, for an open contact, a gap that is not negative.
+//! Detects contacts that violate the condition of their state within a step, although the condition holds again at the end of the step. The condition
+//! is a force inside the friction cone for a sticking contact, or a gap that is not negative for an open contact.
 //!
-//! Forces of sticking contacts, and gaps, are linear in twist and fraction of the leg. At the fraction s of a step they follow the cubic polynomial
-//! through the values and rates at both ends. The error is at most `s²(1 - s)² g`, with a number g (N or m) that is estimated. A margin `μ F_n -
+//! Forces of sticking contacts, and gaps, are linear in the twist and in the fraction of the leg that is done. At the fraction s of a step they
+//! follow the cubic polynomial through the values and rates at both ends. The error is at most `s²(1 - s)² g`, with a number g (N or m) that is
+//! estimated. A margin `μ F_n -
 //! |F_t|` is concave in the force. Hence on a piece of the cubic it is at least its minimum over the four Bézier points P_i of the piece. As pieces
 //! are halved, these points converge to the curve.
 //!
@@ -23,7 +24,7 @@ type BezierPoints = [SVector<f64, 3>; 4];
 /// force, or `μ F_n - |F_t|`.
 pub(super) struct BoundedCubic {
     points: BezierPoints,
-    /// The friction cone, if the margin is the distance `μ F_n - |F_t|` of a force from its edge. `None` if the margin is the first component, a
+    /// The friction cone, if the margin is the distance `μ F_n - |F_t|` of a force from its boundary. `None` if the margin is the first component, a
     /// normal force or a gap.
     cone: Option<Coulomb>,
     /// The factor g, N or m, in a bound on the interpolation error. At the fraction s of the step, the margin from the cubic and the true margin
@@ -87,9 +88,9 @@ impl BoundedCubic {
         let allowed_violation = (within_the_error * step_error).max(rounded) * size * weight;
         let third = (a - b) * 2.0 + da + db;
         let second = b - a - da - third;
-        // The cubic neglects the terms of fourth order and higher in the true motion. They are at most as large as the larger of two numbers: the
-        // term of third order, and 0.05 times the term of second order. For in accepted steps each term is at most 0.05 times the term of the order
-        // before.
+        // The cubic neglects the terms of fourth order and higher in the true motion. In accepted steps each term is expected to be at most 0.05
+        // times the term of the order before. The term of third order is therefore taken as a bound on the neglected terms, with room to spare. As it
+        // may vanish by chance, 0.05 times the term of second order is taken if that is larger.
         let error_factor = third.norm().max(0.05 * second.norm()) * weight;
         Self { points: [a, a + da / 3.0, b - db / 3.0, b], cone, error_factor, allowed_violation }
     }

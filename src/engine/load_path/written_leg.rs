@@ -1,6 +1,6 @@
 //! Legs (sections) of a load program in serialised form. Each quantity that changes along the leg has a field `…_by`, its change, or `…_to`, its
-//! value at the end. A command is a prescribed displacement of a finger. A slide is the prismatic joint that every contact with a constant normal
-//! force gets in addition to the joints of fingers.
+//! value at the end. A command is a prescribed displacement of a finger. A contact with a constant normal force gets a prismatic joint of its own, in
+//! addition to the joints of fingers.
 
 use alloc::collections::BTreeMap;
 
@@ -46,11 +46,11 @@ struct WrittenLeg<const C: usize> {
     /// The commands of joints and then tendons at the end of the leg, instead of `joints_by`.
     #[serde(default, with = "AsGiven::<Option<Vec<f64>>>", skip_serializing_if = "Option::is_none")]
     joints_to: Option<Vec<f64>>,
-    /// The change along the leg of the torques that hold joints, one for each joint, N m or N. The slides of contacts that are held by a force come
+    /// The change along the leg of the constant torques on joints, one for each joint, N m or N. The constant forces of contacts that have one come
     /// last.
     #[serde(default, with = "AsGiven::<Option<Vec<f64>>>", skip_serializing_if = "Option::is_none")]
     torques_by: Option<Vec<f64>>,
-    /// The torques that hold joints at the end of the leg, instead of `torques_by`.
+    /// The constant torques on joints at the end of the leg, instead of `torques_by`.
     #[serde(default, with = "AsGiven::<Option<Vec<f64>>>", skip_serializing_if = "Option::is_none")]
     torques_to: Option<Vec<f64>>,
     /// The change of the loads of bodies along the leg, by name.
@@ -163,7 +163,7 @@ pub(super) fn check_drives(given: usize, what: &'static str, expected: usize) ->
     if given == expected { Ok(()) } else { Err(Error::JointCommands { what, given, expected }) }
 }
 
-/// A leg is written with a field `…_by` or `…_to` for each quantity that changes (feature `serde`), see [`crate::scene`].
+/// A leg is written with a field `…_by` or `…_to` for each quantity that changes (feature `serde`).
 impl<const C: usize> Serialize for Leg<C> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let ((load_by, load_to), turn) = match &self.load {
@@ -196,8 +196,7 @@ impl<const C: usize> Serialize for Leg<C> {
     }
 }
 
-/// A leg is read from a field `…_by` or `…_to` for each quantity that changes (feature `serde`), see [`crate::scene`]. A quantity with both fields is
-/// refused.
+/// A leg is read from a field `…_by` or `…_to` for each quantity that changes (feature `serde`). A quantity with both fields is refused.
 impl<'de, const C: usize> Deserialize<'de> for Leg<C> {
     fn deserialize<S: Deserializer<'de>>(deserializer: S) -> Result<Self, S::Error> {
         object::read(deserializer, "a leg", WrittenLeg::leg)

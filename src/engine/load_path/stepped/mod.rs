@@ -9,10 +9,10 @@
 //! | file | idea |
 //! |---|---|
 //! | `one_step` | the equilibrium at the end of a step |
-//! | `stepped_path` | the follower of the load program, and its state |
+//! | `stepped_path` | the follower of the load program, i.e. the part of a path that advances, and what it stores |
 //! | `step_length`, `step_doubling`, `pace` | step control: steps as long as the allowed error permits |
 //! | `coarse_path`, `shared_error` | the error of the path: measured by a second path, plus an estimate of errors that both paths make alike |
-//! | `standing_at` | the equilibrium at the present place, and the contacts on an edge of their cone |
+//! | `standing_at` | the equilibrium at the present place, and the contacts on the boundary of their cones |
 //! | `ending`, `speeds` | the end of a path: a loss of equilibrium, or undecided |
 
 mod coarse_path;

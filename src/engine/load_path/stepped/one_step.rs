@@ -1,5 +1,6 @@
-//! The equilibrium at the end of a step, along which the stretch of every contact is assumed to change linearly. The offset of a contact's springs is
-//! the command of its finger (a displacement) minus clearance and accumulated slip.
+//! The equilibrium at the end of a step, along which the stretch of every contact is assumed to change linearly. A path point is what is stored of
+//! the grasp at a point of the path: forces, twist, slips and contact states (open, sticking or sliding); its type is `SteppedState`. The offset of a
+//! contact's springs is the command of its finger (a displacement) minus clearance and accumulated slip.
 
 use nalgebra::SVector;
 
@@ -12,10 +13,10 @@ use crate::numerics::{Vector, cleared_for, largest};
 use crate::object::{Problem, newton};
 use crate::prelude::*;
 
-/// The state of the grasp at a point of the path. The twist is about the centroid of the contacts; lists have an entry for each contact.
+/// A path point. The twist is about the centroid of the contacts; lists have an entry for each contact.
 #[derive(Debug, Clone)]
 pub(super) struct SteppedState {
-    /// Fraction of the leg (section of the load program) that is done in this state, from 0 to 1.
+    /// Fraction of the leg (section of the load program) that is done at this path point, from 0 to 1.
     pub(super) fraction: f64,
     pub(super) twist: Vector,
     /// Accumulated slips since the start of the path, m, in the contact frames.
@@ -30,7 +31,7 @@ impl SteppedState {
         largest(&self.forces, &SVector::norm_squared).sqrt()
     }
 
-    /// The difference of two states, N: the largest change of a contact force from one state to the other.
+    /// The difference of two path points, N: the largest difference of a contact force between them.
     pub(super) fn distance_to(&self, other: &Self) -> f64 {
         let pairs = self.forces.iter().zip(&other.forces);
         pairs.map(|(a, b)| (a - b).norm_squared()).fold(0.0, f64::max).sqrt()
@@ -38,13 +39,13 @@ impl SteppedState {
 }
 
 impl SteppedState {
-    /// A state without contacts, as memory for later states.
+    /// A path point with empty lists, which are filled later and then used again.
     pub(super) fn without_contacts() -> Self {
         let (slips, forces, states) = (Vec::new(), Vec::new(), Vec::new());
         Self { fraction: 0.0, twist: Vector::zeros(), slips, forces, states }
     }
 
-    /// Makes this state a copy of `other`, in the same memory.
+    /// Makes this path point a copy of `other`, in the same storage.
     pub(super) fn join(&mut self, other: &Self) {
         self.fraction = other.fraction;
         self.twist.clone_from(&other.twist);
@@ -78,7 +79,7 @@ impl<'g> StepProblem<'g> {
         Self { problem, offsets, trajectory, before: Vec::new(), answers: Vec::new() }
     }
 
-    /// Adapts this problem, in the same memory, to the present leg of `run` after the path has reached a new leg.
+    /// Adapts this problem, in the same storage, to the present leg of `run` after the path has reached a new leg.
     pub(super) fn start_leg(&mut self, run: &ProgramRun<'g>) {
         self.trajectory = run.program.inside_trajectory(run.grasp);
         run.program.offsets_into(run.grasp, &mut self.offsets);
@@ -89,8 +90,8 @@ impl<'g> StepProblem<'g> {
         self.offsets[1][i]
     }
 
-    /// Makes a step from the state `from` over the fraction `length` of the leg, and writes the state at its end to `to`. Newton's method starts at
-    /// the twist `near`. `None` if Newton's method does not converge, or if a contact would have to pull although it cannot.
+    /// Makes a step from the path point `from` over the fraction `length` of the leg, and writes the path point at its end to `to`. Newton's method
+    /// starts at the twist `near`. `None` if Newton's method does not converge, or if balance requires that a contact pulls although it cannot.
     pub(super) fn step(
         &mut self,
         from: &SteppedState,
@@ -113,8 +114,8 @@ impl<'g> StepProblem<'g> {
 }
 
 /// Writes to `to` the equilibrium at the end of a step that begins at `from`. The slips of `from` are already subtracted from the offsets of
-/// `problem`. `before` are the stretches (spring deformations) at the beginning of the step, m. Newton's method starts at the twist `near`.
-/// `None` if Newton's method does not converge, or if a contact would have to pull although it cannot.
+/// `problem`. `before` are the stretches (spring deformations) at the beginning of the step, m. Newton's method starts at the twist `near`. `None` if
+/// Newton's method does not converge, or if balance requires that a contact pulls although it cannot.
 fn equilibrium_after(
     (from, before): (&SteppedState, &[SVector<f64, 3>]),
     problem: &Problem<'_>,
@@ -122,8 +123,9 @@ fn equilibrium_after(
     to: &mut SteppedState,
 ) -> Option<()> {
     let springs = problem.sites.iter().zip(&problem.offsets);
-    // The rounding error of the spring forces limits how far Newton's method can reduce the imbalance. This error is taken as 1e-15 of the forces
-    // that the displacements would cause in the springs. `newton` multiplies `rounded` by [`SOLVED_ROUNDING`], 1e-12, so the factor here is 1e-3.
+    // The rounding error of the spring forces limits how far Newton's method can reduce the imbalance. This error is taken as 1e-15 of the sum, over
+    // all contacts, of the displacement times the stiffness of the stiffest spring. `newton` multiplies `rounded` by [`SOLVED_ROUNDING`], 1e-12, so
+    // the factor here is 1e-3.
     let rounded =
         1e-3 * springs.map(|(site, offset)| site.springs.stiffest() * site.span(offset, &near)).sum::<f64>();
     let answer = |i: usize, stretch: &SVector<f64, 3>, _: &ContactResponse| {
@@ -144,7 +146,7 @@ fn equilibrium_after(
         to.forces.push(answer.force);
         to.states.push(answer.state);
     }
-    // A contact whose law forbids that it opens may have to pull. If its friction is limited, the limit `μ F_n` would then be negative, so the step
+    // A contact whose law forbids that it opens may pull in the solution. If its friction is limited, the limit `μ F_n` is then negative, so the step
     // fails.
     let least = -SOLVED_ROUNDING * to.largest_force();
     let pulls = |(i, force): (usize, &SVector<f64, 3>)| {

@@ -1,4 +1,4 @@
-//! The data of the step control that pass from step to step along a leg: the length of the next step, and the speeds of the object (see [`Speeds`]).
+//! The data of the step control that pass from step to step along a leg: the length of the next step, and the speeds of the object ([`Speeds`]).
 
 use core::f64::consts::FRAC_PI_2;
 
@@ -19,8 +19,8 @@ pub(super) struct StepPace {
     pub(super) changed: f64,
     /// Proposed length of the next step, as a fraction of the leg; it is not yet limited to the longest step.
     pub(super) step: f64,
-    /// Longest step, as a fraction of the leg: the whole leg, or a quarter revolution of a load that turns. Over a step of a full revolution the load
-    /// would seem unchanged.
+    /// Longest step, as a fraction of the leg: the whole leg, or a quarter revolution of a load that turns. If a step covered a full revolution, the
+    /// load would seem unchanged.
     pub(super) longest: f64,
     /// True if the last step was refused. The step length then does not grow after the next step.
     pub(super) refused: bool,
@@ -38,7 +38,7 @@ impl StepPace {
         Self { rate: None, speeds, changed: 1.0, step: 1.0 / 16.0, longest, refused: false, tried: 0 }
     }
 
-    /// Restarts the step control on the next leg, whose load follows `trajectory`, in the same memory.
+    /// Restarts the step control on the next leg, whose load follows `trajectory`, in the same storage.
     pub(super) fn start_leg<X>(&mut self, trajectory: &Trajectory<X>) {
         self.speeds.clear();
         *self = Self { speeds: core::mem::take(&mut self.speeds), ..Self::along(trajectory) };

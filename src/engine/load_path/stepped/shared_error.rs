@@ -15,14 +15,13 @@
 //! if |s| < 1/4, i.e. the stop is nearer than half the length of a straight line
 //! ```
 //!
-//! A straight line is here half a step long. The error is at most |c| / 32, a quarter of the force that the displacement `off` would cause in the
-//! springs. The same bound holds for the
-//! distance by which a sticking contact's force may have been outside its cone within the step. It also holds for the error of the force of an
-//! opening or closing contact.
+//! A straight line is here half a step long. The error is at most |c| / 32, a quarter of the force by which the displacement `off` stretches the
+//! springs. The same bound holds for the distance by which a sticking contact's force may have been outside its cone within the step. It also holds
+//! for the error of the force of an opening or closing contact.
 //!
-//! If a contact begins to slide, the derivative of the twist with respect to the fraction of the leg jumps. The twist then deviates by up to `2 off`.
-//! The component of this deviation along the slip of a sliding contact changes no force. The component across the slip changes the friction force as
-//! if the contact stuck. Thus only the rotation of friction forces on the cones makes an error.
+//! If a contact begins to slide, the derivative of the twist with respect to the fraction of the leg that is done jumps. The twist then deviates by
+//! up to `2 off`. The component of this deviation along the slip of a sliding contact changes no force. The component across the slip changes the
+//! friction force as if the contact stuck. Thus only the rotation of friction forces on the cones makes an error.
 
 use nalgebra::SVector;
 
@@ -32,7 +31,7 @@ use crate::numerics::{Each, Vector};
 
 impl StepProblem<'_> {
     /// Estimate of the largest error of a contact force, N, at the end of a step in two halves, as far as the same step made at once has the same
-    /// error. `at` are the states at the beginning, middle and end of the step.
+    /// error. `at` are the path points (forces, twist, slips and contact states) at the beginning, middle and end of the step.
     pub(super) fn shared_error(&self, at: [&SteppedState; 3]) -> f64 {
         (0..self.problem.len()).map(|i| self.shared_error_of(i, at)).fold(0.0, f64::max)
     }
@@ -45,8 +44,8 @@ impl StepProblem<'_> {
         }
         let made_of = |motion: Vector| site.springs.force(&site.map.tr_mul(&motion));
         let bend = made_of(&middle.twist - (&from.twist + &to.twist) * 0.5);
-        // The middle state shows how far the twist deviates from a straight line over the whole step. The deviation is quadratic in the length, so in
-        // the middle of half a step it is a quarter of that in the middle of the whole step.
+        // The path point in the middle shows how far the twist deviates from a straight line over the whole step. The deviation is quadratic in the
+        // length, so in the middle of half a step it is a quarter of that in the middle of the whole step.
         let off = 0.25 * bend.norm();
         let drawn = |a: &SteppedState, b: &SteppedState| {
             site.springs.force(&(self.change(i) * (b.fraction - a.fraction))) - made_of(&b.twist - &a.twist)

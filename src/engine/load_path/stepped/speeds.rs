@@ -12,8 +12,8 @@
 
 use crate::prelude::*;
 
-/// Pairs of a fraction of the leg and the speed of the object at this fraction, N per unit of the fraction (see `note`). Each speed is more than
-/// twice the speed before.
+/// Pairs of a fraction of the leg and the speed of the object at this fraction, N per unit of the fraction. A speed is the force by which the motion
+/// stretches the springs if all contacts stick. Each speed is more than twice the speed before.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Speeds(Vec<[f64; 2]>);
 
@@ -22,8 +22,8 @@ impl Speeds {
         self.0.clear();
     }
 
-    /// Records the speed of the object in a step that has ended at this fraction of the leg. The speed is the force that its motion would cause in
-    /// sticking springs, N per unit of the fraction.
+    /// Records the speed of the object in a step that has ended at this fraction of the leg. The speed is the force by which its motion stretches the
+    /// springs if all contacts stick, N per unit of the fraction.
     pub(super) fn note(&mut self, fraction: f64, speed: f64) {
         // A speed is recorded if it is more than twice the last recorded speed.
         if self.0.last().is_none_or(|[_, fastest]| speed > 2.0 * fastest) {
@@ -39,9 +39,9 @@ impl Speeds {
         let far = before.find(|[fraction, _]| end - fraction >= 1e3 * (end - near));
         // If the speed grows without bound, the last recorded speed is within this fraction of the leg from the end of the path.
         let to_the_end = 1e-8;
-        // If the speed grows by more than this factor between the two fractions `far` and `near`, it is taken as unbounded: with δ^{-1/2}, the
-        // slowest growth above, it would grow by √1000, about 32. A path may also end at a corner, where no contact states continue it; there the
-        // speed is bounded.
+        // If the speed grows by more than this factor between the two fractions `far` and `near`, it is taken as unbounded. With δ^{-1/2}, the
+        // slowest growth of the list above, it grows by at least √1000, about 32. A path may also end at a corner, where no contact states continue
+        // it; there the speed is bounded.
         let runs = 8.0;
         end - near < to_the_end && far.is_some_and(|[_, slow]| *fast > runs * slow)
     }

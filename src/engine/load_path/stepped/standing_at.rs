@@ -1,5 +1,5 @@
-//! The equilibrium at a point of a path followed in steps, and the contacts that are then on the boundary of their cones. A leg is a section of the
-//! load program.
+//! The equilibrium at a point of a path followed in steps, and the contacts that are then on the boundary of their cones (`edge` in names). A path
+//! point is what is stored of the grasp at a point of the path: forces, twist, slips and contact states. A leg is a section of the load program.
 
 use nalgebra::SVector;
 
@@ -12,14 +12,14 @@ use crate::numerics::{mapped, numbered};
 use crate::search::SearchSolution;
 
 impl SteppedState {
-    /// This state as a complete equilibrium for the caller, with residuals, computed in one pass over all contacts.
+    /// This path point as a complete equilibrium for the caller, with residuals, computed in one pass over all contacts.
     pub(super) fn equilibrium(&self, run: &ProgramRun<'_>) -> Equilibrium<3> {
         let problem = run.segment(self.slips.clone()).problem_at(self.fraction);
         let spans =
             problem.sites.iter().zip(&problem.offsets).map(|(site, offset)| site.span(offset, &self.twist));
         let sizes = [self.largest_force().max(problem.wrench.norm()), spans.fold(0.0, f64::max)];
         // The slip so far is already subtracted from the offsets (command minus clearance) of the contact springs. A sliding contact therefore keeps
-        // its direction of sliding, but its slip in this state is zero. This slip is proportional to `lambda`.
+        // its direction of sliding, but its further slip is zero, i.e. `lambda`, to which the slip is proportional.
         let standing = |state: &Mode<Slide>| match state {
             Mode::Round(slide) => Mode::Round(Slide { lambda: 0.0, ..*slide }),
             other => *other,
@@ -30,15 +30,15 @@ impl SteppedState {
         run.equilibrium(&problem, self.fraction, found)
     }
 
-    /// The contact forces of this state, and the problem for the rates of forces and motion in this state. A contact counts as on the boundary of its
-    /// cone if the distance of its force from the edge is at most 1e-9 of the largest force. The last steps of a path cannot resolve smaller
+    /// The contact forces of this path point, and the problem for the rates of forces and motion there. A contact counts as on the boundary of its
+    /// cone if the distance of its force from the boundary is at most 1e-9 of the largest force. The last steps of a path cannot resolve smaller
     /// distances.
     pub(super) fn edge<'g>(&self, run: &ProgramRun<'g>) -> StateAtEdge<'g> {
         let segment = run.segment(self.slips.clone());
         let (offsets, largest) = (segment.offsets(self.fraction), self.largest_force());
-        // Two forces of a contact are taken as zero below this fraction of the largest force: the distance of its force from the edge of its cone,
-        // and the spring force that would close its gap. The last steps of a path, 1e-12 of a leg, bring a force to the edge only within this
-        // tolerance. With a smaller fraction the force would still count as inside its cone, and the limit load would not be recognised.
+        // Two forces of a contact are taken as zero below this fraction of the largest force: the distance of its force from the boundary of its
+        // cone, and the spring force that would close its gap. The last steps of a path, 1e-12 of a leg, bring a force to the boundary only within
+        // this tolerance. If the fraction were smaller, the force would still count as inside its cone, and the limit load would not be recognised.
         let at_an_edge = 1e-9;
         let near = largest * (at_an_edge / ZERO_SLACK);
         let law = |i: usize| {

@@ -1,18 +1,18 @@
-//! A step of a load path is made twice: in two halves, and at once, i.e. in a single step of the same length. The difference of the two end states
-//! measures the error of the step. The path continues from the end of the two halves. A second path, which measures errors that accumulate, makes all
-//! its steps at once.
+//! A step of a load path is made twice: in two halves, and at once, i.e. in a single step of the same length. The difference of contact forces at the
+//! two ends measures the error of the step. The path continues from the end of the two halves. A second path, which measures errors that accumulate,
+//! makes all its steps at once.
 
 use super::one_step::SteppedState;
 use crate::numerics::Each;
 
-/// The states at the ends of a step made twice. The path continues from the end of the two halves: `middle` is the state after the first half, `to`
-/// the state after the second. `at_once` is the state at the end of the same step made at once.
+/// The path points at the ends of a step made twice. The path continues from the end of the two halves: `middle` is the point after the first half,
+/// `to` the point after the second. `at_once` is the point at the end of the same step made at once.
 #[derive(Debug)]
 pub(super) struct StepDoubling {
     pub(super) middle: SteppedState,
     pub(super) to: SteppedState,
     pub(super) at_once: SteppedState,
-    /// Memory for the state at the end of the step that the second path makes from its own state (see `coarse_path`).
+    /// Scratch buffer for the end of the step that the second path makes from its own path point (`coarse_path`).
     pub(super) beside: SteppedState,
 }
 

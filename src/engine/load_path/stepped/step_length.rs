@@ -1,6 +1,6 @@
 //! Step control of a path followed in steps: tries steps that are as long as the allowed error of contact forces permits. Each step is made twice, in
 //! two halves and at once (in a single step of the same length), and the difference measures its error. A leg is a section of the load program. A
-//! second path makes all its steps at once; its distance from this path measures errors that accumulate. A jump is a sudden motion of the object, at
+//! second path makes all its steps at once; its distance from this path measures errors that accumulate. A jump is a motion of the object, at
 //! constant load, to another equilibrium.
 
 use super::one_step::SteppedState;
@@ -17,7 +17,7 @@ use crate::numerics::{Vector, counted, largest};
 use crate::prelude::*;
 use crate::search::Doubt;
 
-/// Forces and errors of a step made both in two halves and at once. The states after each half, and after the same step made at once, are in
+/// Forces and errors of a step made both in two halves and at once. Forces and twist after each half, and after the same step made at once, are in
 /// [`StepDoubling`].
 #[derive(Debug)]
 struct DoubledStepSizes {
@@ -59,8 +59,8 @@ impl<'g> SteppedFollower<'g> {
         // length, but at least a fifth of the present length.
         self.pace.step = length * (0.7 / part.sqrt()).clamp(0.2, fastest);
         if part > 1.0 {
-            // The step is refused. If the next step would have to be shorter than the shortest step, rounding errors exceed the allowed error, and
-            // the path ends.
+            // The step is refused. If the next step is shorter than the shortest allowed step, rounding errors exceed the allowed error, and the path
+            // ends.
             return if self.pace.step < SHORTEST_STEP {
                 Err(self.end_here(run, Doubt::Inaccurate))
             } else {
@@ -80,22 +80,22 @@ impl<'g> SteppedFollower<'g> {
         let (from, StepDoubling { to, at_once, .. }, largest) = (&self.present, &self.places, twice.largest);
         let length = to.fraction - from.fraction;
         let relative_change = to.distance_to(from) / largest;
-        // Half of the allowed error is divided among the steps in proportion to their size, the largest of three measures: the fraction of the leg
-        // that the step covers; the change of contact forces in the step, divided by the largest force; and the change of contact forces that the
-        // object's motion would cause if all contacts stuck, also divided by the largest force. The third measure counts because friction forces turn
+        // Half of the allowed error is divided among the steps in proportion to the largest of three measures of a step. The first is the fraction of
+        // the leg that the step covers. The second is the change of contact forces in the step, divided by the largest force. The third is the change
+        // of contact forces by the object's motion if all contacts stuck, also divided by the largest force. It counts because friction forces turn
         // towards the directions of slip as the object moves. By the time the third measures of successive steps add up to one, an error in the
-        // direction of a friction force has decayed. The next steps may therefore make errors of the same size again.
+        // direction of a friction force has decayed. The next steps may therefore make errors of the same magnitude again.
         let even = 0.5 * self.error * length.max(relative_change).max(twice.force_change / largest);
-        // The allowed difference of a contact's force between this path and the second path (see `coarse_path`). The error of this path is about a
-        // third of this difference. The allowed difference grows with the sum of the relative changes of forces along the path, up to twice the
-        // allowed error. This sum is `self.relative_force_changes` before the step, and the step adds `relative_change`.
+        // The allowed difference of a contact's force between this path and the second path. The error of this path is about a third of this
+        // difference. The allowed difference grows with the sum of the relative changes of forces along the path, up to twice the allowed error. This
+        // sum is `self.relative_force_changes` before the step, and the step adds `relative_change`.
         let budget = self.error * (self.relative_force_changes + relative_change).min(2.0);
         // An error below this fraction of the largest force is rounding.
         let rounding = 1e-13;
         let part = |i: usize| {
             let accumulated = (from.forces[i] - self.coarse.present.forces[i]).norm() / largest;
-            // Each step may use up this fraction of what remains of a contact's allowed difference. With a larger fraction, a few steps would use all
-            // of it, and later steps would have too little. With a smaller fraction, steps are shorter than necessary.
+            // Each step may use up this fraction of what remains of a contact's allowed difference. If the fraction is larger, a few steps use all of
+            // it, and later steps have too little. If it is smaller, steps are shorter than necessary.
             let allowed = even.max(0.05 * (budget - accumulated)).max(rounding);
             (to.forces[i] - at_once.forces[i]).norm() / largest / allowed
         };
@@ -105,8 +105,8 @@ impl<'g> SteppedFollower<'g> {
         used.max(twice.shared_error / (0.1 * self.error).max(rounding))
     }
 
-    /// Makes a step over the fraction `length` of the leg both in two halves and at once, and stores the states reached in the field `places`. `None`
-    /// if one of these steps finds no equilibrium, or only an equilibrium to which the object would have to jump.
+    /// Makes a step over the fraction `length` of the leg both in two halves and at once, and stores the path points reached in the field `places`.
+    /// `None` if one of these steps finds no equilibrium, or only one to which a jump leads.
     fn twice(&mut self, length: f64) -> Option<DoubledStepSizes> {
         let Self { along, present: from, places: StepDoubling { middle, to, at_once, .. }, .. } = self;
         let rate = self.pace.rate.clone().unwrap_or_else(Vector::zeros);
@@ -118,9 +118,9 @@ impl<'g> SteppedFollower<'g> {
         let off = &middle.twist - (&from.twist + &to.twist) * 0.5;
         let sites = along.problem.sites;
         let force_change = largest_force_of_motion(sites, &(&to.twist - &from.twist));
-        // Motions are measured by the forces that they would cause in sticking springs. A step is a jump if the object, after the first half of the
-        // step, is off the straight line between the ends of the step by more than a quarter of the step's motion. The motion must also be large:
-        // more than a twentieth of the largest force.
+        // Motions are measured by the forces by which they stretch the springs if all contacts stick. A step is a jump if the object, after the first
+        // half of the step, is off the straight line between the ends of the step by more than a quarter of the step's motion. The motion must also
+        // be large: more than a twentieth of the largest force.
         if force_change > 0.05 * largest && largest_force_of_motion(sites, &off) > 0.25 * force_change {
             return None;
         }
@@ -156,7 +156,7 @@ fn largest_force_of_motion(sites: &[Site], motion: &Vector) -> f64 {
     largest(sites, &|site| pull(site, motion))
 }
 
-/// The size of the force, N, that a motion of the object causes at a contact that sticks.
+/// The magnitude of the force, N, that a motion of the object causes at a contact that sticks.
 fn pull(site: &Site, motion: &Vector) -> f64 {
     site.springs.force(&site.map.tr_mul(motion)).norm()
 }

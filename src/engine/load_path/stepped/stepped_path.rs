@@ -28,9 +28,9 @@ use crate::serial::AsComputed;
 pub(crate) struct SteppedFollower<'g> {
     /// The static problem at the end of a step along the present leg.
     pub(super) along: StepProblem<'g>,
-    /// The state at the present point of the path.
+    /// The present path point.
     pub(super) present: SteppedState,
-    /// The states after each half of the last step tried, and after the same step made at once.
+    /// The path points after each half of the last step tried, and after the same step made at once.
     pub(super) places: StepDoubling,
     /// Step control along the present leg: the length of the next step, and the speeds of the object.
     pub(super) pace: StepPace,
@@ -78,7 +78,6 @@ pub(crate) fn check_leg_error(what: &'static str, value: f64) -> Result<(), Erro
 }
 
 impl Engine {
-    /// Implements [`Grasp::follow_in_steps`](crate::ask::Grasp::follow_in_steps).
     pub(crate) fn follow_in_steps(
         &self,
         start: &Wrench<3>,
@@ -111,7 +110,8 @@ impl Engine {
     }
 }
 
-/// The state at the start of a path, the solution `found` of `problem`. The slips of sliding and open contacts are stored as accumulated slip.
+/// The path point at the start of a path, from the solution `found` of `problem`. The slips of sliding and open contacts are stored as accumulated
+/// slip.
 fn at_start(problem: &Problem<'_>, found: SearchSolution) -> SteppedState {
     let slip = |(i, state): (usize, &crate::contact::State)| {
         let springs = &problem.sites[i].springs;
