@@ -47,7 +47,7 @@ pub(super) struct Arc<'s, 'g> {
 /// λ the fraction of the leg.
 #[derive(Debug)]
 pub(super) struct ConstantTerms {
-    /// The tangent stiffness of the contacts that do not slide. T would be singular if no spring resists some motion, so an artificial stiffness is
+    /// The tangent stiffness of the contacts that do not slide. If no spring resists some motion, T is singular; therefore an artificial stiffness is
     /// added along each such motion. The right-hand side b is chosen so that the object moves along this motion with the velocity in
     /// `Arc::free_motions`, which may be zero.
     stiffness: PathStiffness,

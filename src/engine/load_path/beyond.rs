@@ -1,7 +1,7 @@
-//! Beyond the end of a load path, or beyond an onset (the first slip or opening): whether any other equilibrium exists at a slightly larger load
-//! factor. Along a leg (a section of a load program) the fraction of the leg that is done takes the place of the load factor. The grasp snaps over if
-//! the object moves, at constant load, to another equilibrium. A fold is a maximum of the load along a path. The offset of a contact's springs is the
-//! command of its finger (a displacement) minus clearance and accumulated slip.
+//! Beyond the end of a load path, or beyond an onset (the load factor at which the first contact ceases to stick): whether any other equilibrium
+//! exists at a slightly larger load factor. Along a leg (a section of a load program) the fraction of the leg that is done takes the place of the
+//! load factor. The grasp snaps over if the object moves, at constant load, to another equilibrium. A fold is a maximum of the load along a path. The
+//! offset of a contact's springs is the command of its finger (a displacement) minus clearance and accumulated slip.
 //!
 //! A proof that no equilibrium exists may be a motion: a virtual motion at the end, or another motion that separates the load from all possible
 //! contact forces. In the plane, and in space with polygonal friction cones, every combination of contact states is tried. The load factor is `τ* +
@@ -210,7 +210,7 @@ fn from_scratch<'g>(
             SearchOutcome::Undecided(doubt) => why = doubt,
             SearchOutcome::Found(found, _) => {
                 // If each force found is near the force at the end of the path, within the tolerance of [`is_near`], the search is repeated nearer to
-                // the end, at 1e-8 and 1e-10. There the forces of the path itself agree with those at the end even better. The forces of another
+                // the end: at 1e-8 and 1e-10. There the forces of the path itself agree with those at the end even better. The forces of another
                 // equilibrium do not.
                 let is_another = !is_near(&found.forces, forces, part) || [1e-8, 1e-10].iter().any(another);
                 // Forces near those at the end may belong to the equilibrium of the path itself, which because of rounding seems to exist a little

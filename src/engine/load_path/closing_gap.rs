@@ -13,8 +13,8 @@
 //!
 //! At the closed gap the path continues at the same load, with the slips that the motion has caused. If kinetic friction is lower, contacts that
 //! begin to slide lose some of their friction force. This lost force is removed first, along a separate leg ([`super::jump_leg`]), i.e. a section of
-//! the path; the gap may close on this leg already. If the motion would be too large for linear kinematics, it is not made, and the path ends with
-//! the loss.
+//! the path; the gap may close on this leg already. If the motion is too large for linear kinematics, it is not made, and the path ends with the
+//! loss.
 
 use super::event::{Change, Event, Loss, LossKind, PathEnd};
 use super::follower::Follower;

@@ -67,8 +67,8 @@ impl Engine {
         linkage.part(site - self.len()).map(|part| linkage.label(part))
     }
 
-    /// The contact with this index; for the index of a drive, its joint or tendon. `None` for a drive without joint or tendon, i.e. a spring without
-    /// a limit.
+    /// The contact with this index; for the index of a drive, its joint or tendon. `None` for a drive without joint or tendon, i.e. for a spring of a
+    /// stiffness or compliance matrix.
     pub(crate) fn leaver(&self, site: usize) -> Option<DepartingPart> {
         match self.linkage() {
             Some(linkage) if site >= self.len() => linkage.part(site - self.len()).map(DepartingPart::Drive),

@@ -79,7 +79,7 @@ impl PiecewiseFollower<'_> {
         for trial in 0..80 {
             // If Newton's method gives no length inside the bracket, the length comes from a secant step, or every third time from bisection.
             let part = low.1 / (low.1 - high.1);
-            // A secant step keeps at least this fraction of the bracket away from both of its ends, so that the bracket does not shrink by tiny steps
+            // A secant step keeps at least this fraction of the bracket away from both of its ends. The bracket then does not shrink by tiny steps
             // from one end only.
             let inside = 1e-3;
             let part = if trial % 3 == 2 { 0.5 } else { part.clamp(inside, 1.0 - inside) };

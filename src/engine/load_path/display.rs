@@ -1,5 +1,5 @@
-//! Texts for a terminal: onsets, changes of contact states, and the situation beyond the end of a path. An onset is the first slip or opening as a
-//! load grows; the load factor is the multiple of the growing load.
+//! Texts for a terminal: onsets, changes of contact states (open, sticking or sliding), and the situation beyond the end of a path. An onset is the
+//! load factor at which the first contact ceases to stick; the load factor is the multiple of the growing load.
 
 use core::fmt;
 

@@ -22,7 +22,8 @@ pub struct LegEnergy {
     /// Work of the load W along the motion q of the object, `∫ W·dq`.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub load_work: f64,
-    /// Work of the fingers' drives, `Σ ∫ F·du_f` with the contact forces F and the finger displacements u_f, positive if a finger pushes forward.
+    /// Work that the commands of the fingers do, `Σ ∫ F·du_f` with the contact forces F and the finger displacements u_f, positive if a finger pushes
+    /// forward.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub finger_work: f64,
     /// Change of the energy stored in the springs, `Δ Σ ½ F²/k`.

@@ -1,6 +1,6 @@
 //! Conversion of onsets, load programs (sequences of changes of loads and commands) and load paths (the equilibria along a program). The engine uses
 //! vectors of three components, callers in the plane of two. A ramp is a load, or commands of fingers, that change in proportion to one load factor;
-//! the onset is the first slip or opening along it.
+//! the onset is the load factor at which the first contact ceases to stick.
 
 use super::beyond::{Beyond, Continuation};
 use super::drive_change::PartChange;

@@ -1,6 +1,6 @@
-//! The onset (first slip or opening) in a simple case, which is the most common. Everything clearly sticks under the base load, and the force of one
-//! contact leaves its friction cone before all others. The base load acts from the start, and the load of the question grows in addition. A ramp is a
-//! load that grows in proportion to a load factor; a turn is a load that turns by an angle.
+//! The onset (the load factor at which the first contact ceases to stick) in a simple case, which is the most common. Everything clearly sticks under
+//! the base load, and the force of one contact leaves its friction cone before all others. The base load acts from the start, and the load of the
+//! question grows in addition. A ramp is a load that grows in proportion to a load factor; a turn is a load that turns by an angle.
 //!
 //! This case is cheap: one factorisation, solved for the base load and for its change, and a ratio test. One more solve at the onset makes the last
 //! digits of its load factor exact. [`super::sticking_path`] handles all other cases.

@@ -342,8 +342,8 @@ impl<'s, 'g> Flow<'s, 'g> {
         let with_sizes = of_frictions.chunks_exact(2).zip(&self.begin).zip(&self.vanishing);
         let vanishing = with_sizes.filter(|(_, vanishes)| **vanishes).map(|(of_one, _)| of_one);
         // An error of a friction force is compared with the largest force. For a vanishing friction force, 1e-6 times its error is also compared with
-        // the force itself. The error of this force's direction is thus at most 1e6 times the allowed error of a step; otherwise it would have no
-        // bound.
+        // the force itself. The error of this force's direction is thus at most 1e6 times the allowed error of a step; without this comparison it has
+        // no bound.
         let of_itself = |(error, friction): (&[f64], &SVector<f64, 3>)| 1e-6 * norm(error) / friction.norm();
         let of_themselves = vanishing.map(of_itself).fold(0.0, f64::max);
         let of_load = others[count].abs() * self.arc.load_rate(self.from);

@@ -15,8 +15,8 @@
 //! and the slip rates γ_j and λ' are such that the margins `μ F_n - |F_t|` of all sliding contacts stay zero. Thus there is one equation for each
 //! sliding contact, where an [arc](super::arc) has one for each coordinate. Arclength is measured along the curve of the slips, divided by a unit of
 //! slip, and of λ. The path ends at a fold (a maximum of λ) or a corner (no contact states continue it). In some cases the functions of this file
-//! return `None`, and the caller follows a load path instead. This happens if not everything clearly sticks under the base load, a sliding contact
-//! stops, a contact opens, changes of contact states coincide, or the path may continue in several ways.
+//! return `None`, and the caller follows a load path instead. This happens if not everything clearly sticks under the base load, or if a sliding
+//! contact stops. It also happens if a contact opens, if changes of contact states coincide, or if the path may continue in several ways.
 
 use nalgebra::SVector;
 

@@ -11,7 +11,7 @@
 //! ```
 //!
 //! The leg of a jump is followed like any other leg. If another contact leaves its static cone on the leg, the force that it loses is added to what
-//! remains of the external force, and a new leg removes the sum. If the leg reaches its end, the jump has led to an equilibrium without an external
+//! remains of the external force. A new leg then removes the sum. If the leg reaches its end, the jump has led to an equilibrium without an external
 //! force. Otherwise equilibrium is lost on the leg, and the path ends with this [`Loss`]. The external force stands for the damping forces of an
 //! overdamped motion, in which the object does not overshoot the new equilibrium.
 
@@ -36,8 +36,8 @@ use crate::search::{Doubt, SearchOutcome, SearchSolution, Settings, settle};
 pub(super) struct JumpInProgress<'g> {
     /// The leg of the jump, along which the external force in place of the lost friction is removed.
     pub(super) leg: PiecewiseFollower<'g>,
-    /// The history of the jump. It has the slip of each contact and drive before the jump, a flag for each that is true if it has slid in the jump so
-    /// far, and the states of all contacts and drives after each change.
+    /// The history of the jump. For each contact and drive it has the slip before the jump, and a flag that is true if it has slid in the jump so
+    /// far. It also has the states of all contacts and drives after each change.
     record: JumpRecord,
     pub(super) changes: Vec<(usize, Change<3>)>,
     /// Indices of contacts and drives whose gaps have closed at the end of a free motion in the jump.

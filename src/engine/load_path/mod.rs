@@ -1,5 +1,5 @@
-//! The onset (first slip or opening) as the load grows, found directly, the situation just beyond it, and whole load programs, along which the slips
-//! of contacts accumulate.
+//! The onset (the load factor at which the first contact ceases to stick), found directly, the situation just beyond it, and whole load programs,
+//! along which the slips of contacts accumulate.
 //!
 //! **Onset** ([`Grasp::onset`](crate::ask::Grasp::onset)). While everything sticks, contact forces are affine in the load factor τ of a [`Ramp`]. The
 //! onset is the least τ >= 0 at which a sticking condition is met with equality. Two linear solves give the forces F⁰ under the base load and their

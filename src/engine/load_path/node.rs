@@ -164,8 +164,8 @@ impl Node {
         }
         match last {
             Some(last) if !segment.problem.round => last,
-            // If no angle gives a solution on the round cone, the rates at the node itself are taken. The fraction of the leg of a node at the end of
-            // an arc has the error of the integration steps, so that these rates are as good as rates beyond it.
+            // If no angle gives a solution on the round cone, the rates at the node itself are taken. At the end of an arc, the fraction of the leg
+            // of a node has the error of the integration steps. These rates are therefore as good as rates beyond it.
             _ => at(factor),
         }
     }
@@ -202,8 +202,8 @@ impl Node {
     }
 
     /// Opens contacts that touch but gain no force in `found`, the solution of the rate problem. If they stayed closed, their springs would drag the
-    /// object along. If no contact gains a force, and a contact slides on the round cone, all contacts that may open are opened, provided that the
-    /// object moves towards none of them. In all other cases the contacts are opened only if the rate problem still has a solution, in which the
+    /// object along. If no contact gains a force, and a contact slides on the round cone, all contacts that may open are opened. This requires that
+    /// the object moves towards none of them. In all other cases the contacts are opened only if the rate problem still has a solution, in which the
     /// object moves less.
     fn without_dragging(&self, rates: &Problem, found: SearchSolution) -> SearchSolution {
         let largest = found.forces.iter().map(Matrix::norm).fold(rates.wrench.norm(), f64::max);

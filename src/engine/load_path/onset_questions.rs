@@ -1,5 +1,5 @@
-//! The onset (first slip or opening) under a load that grows, found without stepping. The base load acts from the start, and the load of the question
-//! grows in addition. The drives of a hand (the springs of its joints and tendons, with their force limits) are treated like contacts.
+//! The onset (the load factor at which the first contact ceases to stick), found without stepping. The base load acts from the start, and the load of
+//! the question grows in addition. The drives of a hand (the springs of its joints and tendons, with their force limits) are treated like contacts.
 //!
 //! While everything sticks, forces are affine in the load factor, `F(τ) = F⁰ + τ F¹`. Two linear solves give the forces F⁰ under the base load and
 //! their rate F¹. The onset is the smallest τ at which a contact reaches the boundary of its cone. Each facet of a polygonal cone gives a linear

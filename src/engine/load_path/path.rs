@@ -218,8 +218,8 @@ impl<'g, const C: usize, T> Path<'g, C, T> {
 
     /// Whether another equilibrium exists at loads just beyond the load at which this path lost its equilibrium, with the slip so far. The search
     /// stays within the limits of `settings`. It usually takes longer than following the path, since it may have to exclude all combinations of
-    /// contact states. If there are too many combinations, a limit load (no equilibrium beyond) can only be proved by a virtual motion along which
-    /// the load does more work than contact forces can take up. `None` if the path has not ended in a loss.
+    /// contact states. If there are too many combinations, a limit load (no equilibrium beyond) can only be proved by a virtual motion. Along it the
+    /// load does more work than contact forces can take up. `None` if the path has not ended in a loss.
     #[must_use]
     pub fn beyond_with(&self, settings: &Settings) -> Option<Beyond<C>> {
         self.0.beyond(Some(settings))

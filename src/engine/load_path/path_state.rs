@@ -138,7 +138,7 @@ impl Node {
         segment.largest = segment.largest.max(point.sizes[0]);
         for (i, (line, force)) in point.lines.iter().zip(&end.forces).enumerate() {
             let closed = !self.states[i].is_open();
-            // A sticking contact whose force is zero at the beginning of the piece was at the apex of its cone already, and has not come to the apex
+            // A sticking contact whose force is zero at the beginning of the piece was at the apex of its cone already. It has not come to the apex
             // on this piece. A contact that began to slide from the apex, and still has no force, is at the apex.
             let comes_there = line.force.norm() > 0.0 || self.states[i].slides();
             if closed && comes_there && ActiveSet::is_weightless(force, line.force_size) {
@@ -184,9 +184,9 @@ impl Node {
         self.stopped.push(contact);
     }
 
-    /// Returns the index of a contact that has stopped sliding at this node, if the contact force would leave the friction cone along a tangent while
-    /// the contact sticks. On a straight piece such a contact can neither stick nor slide on: if it slid on, friction would drive its slip instead of
-    /// opposing it. `None` if there is no such contact, on arcs, and while the load turns.
+    /// Returns the index of a contact that has stopped sliding at this node, if its force leaves the friction cone along a tangent while it sticks.
+    /// On a straight piece such a contact can neither stick nor slide on: if it slid on, friction would drive its slip instead of opposing it. `None`
+    /// if there is no such contact, on arcs, and while the load turns.
     pub(super) fn neither_slides_nor_sticks(
         &self,
         segment: &Segment<'_>,

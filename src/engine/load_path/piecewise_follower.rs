@@ -68,8 +68,8 @@ pub(crate) struct PiecewiseFollower<'g> {
     /// Sum of the estimated relative errors of the path so far: errors of integration steps along arcs, on which directions of sliding turn, and
     /// errors made by treating close events as one event.
     pub(super) step_error: f64,
-    /// An event to return before all others, if a contact slides at the start of the path and its friction therefore falls from the static to the
-    /// kinetic value.
+    /// An event to return before all others, if a contact slides at the start of the path. Its friction then falls from the static to the kinetic
+    /// value.
     pub(super) first: Option<Box<Event<3>>>,
     /// The static problem at the load of a jump that led to no equilibrium. Slips and friction are those at the end of the jump. `None` if no jump
     /// has failed.
@@ -91,7 +91,7 @@ impl Engine {
     }
 
     /// The load path from the load `start` along `legs`. `rest` is the result of the search for the first equilibrium, if the computation of an onset
-    /// under the same load and with the same settings has made this search already.
+    /// has made it already, under the same load and with the same settings.
     pub(crate) fn follow_from_rest(
         &self,
         (start, rest): (&Wrench<3>, Option<SearchAtRest>),
@@ -267,8 +267,8 @@ impl<'g> PiecewiseFollower<'g> {
         self.pace = self.pace.at_node();
         let jump = if self.friction_falls() { self.friction_after(run, &next.changes)? } else { None };
         let (changes, drives) = grasp.contacts_and_drives(next.changes);
-        // At the start of a leg an event is returned if the path could continue in several ways, even if no contact changes its state in the way
-        // chosen.
+        // At the start of a leg an event is returned if the path could continue in several ways. This holds even if no contact changes its state in
+        // the way chosen.
         let branches = self.factor == 0.0 && next.other_continuations.is_some_and(|others| others > 0);
         if changes.is_empty() && drives.is_empty() && !(set_free && before.is_some()) && !branches {
             return Ok(None);

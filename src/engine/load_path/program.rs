@@ -81,7 +81,7 @@ impl Program {
         self.legs.drain(..(self.leg - self.done).min(self.legs.len()));
         self.done = self.leg;
         // Each leg is converted to a leg with one command for each contact point. The checks above have made these legs already, but have not stored
-        // them, because that would need another list.
+        // them, because another list is needed for that.
         for leg in legs {
             self.legs.push(leg.of_points(grasp)?);
         }
@@ -181,13 +181,13 @@ impl Program {
         grasp.changed_by(to.iter().zip(from).map(|(to, from)| to - from), Some(&of_joints), change);
     }
 
-    /// The sum of the program's load, the loads on bodies and the constant torques on joints, as a function of the fraction of the present leg that
-    /// is done. Moments are about the centroid of the contacts.
+    /// The sum of the program's load, the loads on bodies and the constant torques on joints. It is a function of the fraction of the present leg
+    /// that is done. Moments are about the centroid of the contacts.
     pub(super) fn inside_trajectory(&self, grasp: &Engine) -> Trajectory<Vector> {
         match &self.trajectory {
             Trajectory::Straight { from, rate } => {
-                // The change of the load is converted to coordinates directly. As a difference of two converted loads, a small change would be lost
-                // in rounding errors.
+                // The change of the load is converted to coordinates directly. If it were the difference of two converted loads, a small change would
+                // be lost in rounding errors.
                 let (mut from, mut rate) = (grasp.load_unchecked(from), grasp.inside_unchecked(rate));
                 for [first, last] in self.other_loads(grasp).into_iter().flatten() {
                     rate += last - &first;

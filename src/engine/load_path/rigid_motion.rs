@@ -22,15 +22,15 @@ use crate::object::Problem;
 use crate::prelude::*;
 
 /// Upper limit of the number of coordinates of the bodies, and of the number of touching contacts. With more of them the motion of rigid bodies is
-/// not computed, since the computation would take too long.
+/// not computed, since the computation takes too long.
 const MOST_RIGID: usize = 64;
 
 /// The unit motion with which the object starts to move if no contact force counters the rate of the load. `rates` is the problem for the rates of
 /// forces and motion. Contacts that stick with a force inside their cones are bonded in it.
 ///
-/// `None` if no contact touches without force, if one touches without force but cannot open, or if a contact is on the boundary of its cone with a
-/// force. `None` also if a contact that touches without force has infinite friction, if a command changes, if the motion is zero, or with more than
-/// [`MOST_RIGID`] coordinates or touching contacts.
+/// `None` if no contact touches without force, or if one touches without force but cannot open. `None` also if a contact is on the boundary of its
+/// cone with a force, or if a contact that touches without force has infinite friction. `None` also if a command changes, if the motion is zero, or
+/// with more than [`MOST_RIGID`] coordinates or touching contacts.
 pub(super) fn rigid_motion(rates: &Problem) -> Option<Vector> {
     if rates.wrench.as_slice().len() > MOST_RIGID || rates.offsets.iter().any(|offset| offset.norm() > 0.0) {
         return None;
@@ -70,7 +70,7 @@ pub(super) fn rigid_motion(rates: &Problem) -> Option<Vector> {
         if a == b && is_absent(a) { 1.0 } else { columns[a].dot(&columns[b]) }
     });
     let driven = vector_of(columns.len(), &|a| columns[a].dot(&load));
-    // Problems in the plane use the solver for space, too, because a second instance of the solver would double the time of compiling it.
+    // Problems in the plane use the solver for space, too, because with a second instance of the solver, compiling it takes twice as long.
     let pushes = FrictionProblem::<3>::new(products, driven, friction).ok()?.solve();
     let pushes = pushes.solution()?;
     let motion = columns.iter().zip(pushes.r.iter()).fold(load.clone(), |v, (column, r)| v + column * *r);

@@ -1,8 +1,8 @@
-//! Contact forces and twist under a load that grows along a ramp, as affine functions of the load factor and of the slips of sliding contacts, as in
-//! `in_slips`. From these functions follow the rates of load factor and slips with which sliding contacts stay on the boundaries of their cones. The
-//! margin of a contact is μ F_n - |F_t|, the distance of its force from the boundary of its cone. A path point is the list of the weights with which
-//! forces and twist are summed: 1, the load factor, and two tangential slips (m) of each sliding contact. Motions are small within limits of rotation
-//! and slip up to which the linear theory is trusted.
+//! Contact forces and twist under a load that grows along a ramp, for `in_slips`. They are affine functions of the load factor and of the slips of
+//! sliding contacts. From these functions follow the rates of load factor and slips with which sliding contacts stay on the boundaries of their
+//! cones. The margin of a contact is μ F_n - |F_t|, the distance of its force from the boundary of its cone. A path point is the list of the weights
+//! with which forces and twist are summed: 1, the load factor, and two tangential slips (m) of each sliding contact. Motions are small within limits
+//! of rotation and slip up to which the linear theory is trusted.
 
 use nalgebra::SVector;
 

@@ -59,8 +59,8 @@ impl Slips<'_> {
     /// The step `end` from the path point and rates `from`, if all conditions hold in it. Otherwise the step is shortened to the first event, where
     /// the value of a condition becomes zero. The index of this condition in the list of [`GROWS`] is returned, too; `None` for the whole step.
     ///
-    /// The result is `None` if several values become zero together, if a value is not positive at the start, or if the end of the shortened step is
-    /// not found.
+    /// The result is `None` if several values become zero together, or if a value is not positive at the start. `None` also if the end of the
+    /// shortened step is not found.
     pub(super) fn up_to_an_event(
         &self,
         from: (&[f64], &[f64]),
@@ -105,8 +105,7 @@ impl Slips<'_> {
         let mut there = high;
         for _ in 0..30 {
             // If the end of the step is within this fraction of its length from the root of the condition, Heun's method moves the end to the root.
-            // The error of this method is of third order in the distance, and at so small a distance it is less than the error of one more trial
-            // step.
+            // The error of this method is of third order in the distance. At so small a distance it is less than the error of one more trial step.
             let rest = -there.1 / there.2;
             if rest.abs() <= 1e-4 * end.length {
                 return self.moved_to(k, end, rest).zip(Some(k));

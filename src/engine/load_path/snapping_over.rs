@@ -138,7 +138,7 @@ pub(super) fn a_little(sites: &[Site], change: &[SVector<f64, 3>], mut rate: Vec
     LITTLE_BEYOND * (largest / rate.norm()).max(LEAST_FORCE)
 }
 
-/// The number of times that the object has snapped over to another equilibrium on a leg so far, and the fraction of the leg at which it last came to
+/// The number of times that the object has snapped over to another equilibrium on a leg so far. Also the fraction of the leg at which it last came to
 /// rest.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct SnapCount {

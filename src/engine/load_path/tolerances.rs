@@ -97,7 +97,7 @@ pub(super) const STANDS_STILL: f64 = 1e-10;
 /// vanishing.
 pub(super) const VANISHING_NORMAL: f64 = 1e-7;
 
-/// Shortest step of a path followed in steps, as a fraction of a leg: if shorter steps would be necessary, the path ends.
+/// Shortest step of a path followed in steps, as a fraction of a leg: if shorter steps are necessary, the path ends.
 ///
 /// If smaller, steps are made whose changes are only rounding; if larger, paths end before an equilibrium that they could reach.
 pub(super) const SHORTEST_STEP: f64 = 1e-12;

@@ -58,7 +58,7 @@ pub(super) fn other_solutions(rates: &Problem, found: &SearchSolution) -> Option
     if rows == 0 || few.as_ref().is_some_and(|few| few.form.lcp.has_p_matrix() == Some(true)) {
         return Some(0);
     }
-    // All combinations of states of the contacts on the boundary of their cones are tried if there are at most this many; more would take too long.
+    // All combinations of states of the contacts on the boundary of their cones are tried if there are at most this many; trying more takes too long.
     if combinations(rates) > 256.0 {
         return None;
     }

@@ -52,9 +52,9 @@ impl CoarsePath {
         // `lost`, although errors of earlier steps decay. If the limit were smaller, it would be exceeded at each change of contact states.
         let by = 10.0 * distance + to.distance_to(at_once);
         let step = || along.step(&self.present, (to.fraction - from.fraction, near), beside);
-        // If both paths differ by at most this fraction of the largest force, the difference is within the tolerance of Newton's method, and the
-        // second path moves to `at_once`. If the fraction were larger, there would be more such moves, each of which adds the distance of the paths
-        // to `lost`, although errors decay.
+        // If both paths differ by at most this fraction of the largest force, the difference is within the tolerance of Newton's method. The second
+        // path then moves to `at_once`. If the fraction were larger, there would be more such moves, each of which adds the distance of the paths to
+        // `lost`, although errors decay.
         if distance > SOLVED_ROUNDING * largest && step().is_some() && beside.distance_to(at_once) <= by {
             core::mem::swap(&mut self.present, beside);
         } else {

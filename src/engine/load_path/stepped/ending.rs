@@ -22,7 +22,7 @@ impl<'g> SteppedFollower<'g> {
         if self.pace.speeds.grow_without_bound_at(fraction) {
             // The limit on `changed` distinguishes a maximum of the load from an asymptote, i.e. a load that the path only approaches. Near a maximum
             // contact forces keep changing; towards an asymptote they become constant while the object moves. `changed` is the largest change of a
-            // force in the last step, divided by the change that the motion would cause in sticking springs. Before maxima `changed` is some
+            // force in the last step, divided by the change that the motion would cause if all contacts stuck. Before maxima `changed` is some
             // hundredths, at least a thousandth; towards asymptotes it falls to about 1e-5. The limit lies between these numbers.
             let kind = if self.pace.changed < 2e-4 { LossKind::Asymptote } else { LossKind::Fold };
             let motion = self.pace.rate.as_ref().map(Vector::normalize);

@@ -1,6 +1,6 @@
 //! Errors of contact forces that a step made at once (in a single step of the same length) has in common with the same step made in two halves. The
 //! difference between the two results does not reveal these errors. The step made at once assumes that the twist and the stretches change along one
-//! straight line, the step in two halves assumes one straight line in each half.
+//! straight line. The step in two halves assumes one straight line in each half.
 //!
 //! Along a step of length h the true twist deviates from a straight line, in the middle by the twist `off`. Let a contact have the grasp map G,
 //! springs of stiffness K (k_n along the normal), the stretch v with the normal part v_n and the tangential part v_t, and the coefficient of friction
@@ -30,8 +30,8 @@ use crate::contact::{Mode, Slide, tangential, tangential_norm};
 use crate::numerics::{Each, Vector};
 
 impl StepProblem<'_> {
-    /// Estimate of the largest error of a contact force, N, at the end of a step in two halves, as far as the same step made at once has the same
-    /// error. `at` are the path points (forces, twist, slips and contact states) at the beginning, middle and end of the step.
+    /// Estimate of the largest error of a contact force, N, at the end of a step in two halves. It covers the errors that the same step made at once
+    /// has, too. `at` are the path points (forces, twist, slips and contact states) at the beginning, middle and end of the step.
     pub(super) fn shared_error(&self, at: [&SteppedState; 3]) -> f64 {
         (0..self.problem.len()).map(|i| self.shared_error_of(i, at)).fold(0.0, f64::max)
     }

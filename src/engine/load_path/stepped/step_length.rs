@@ -100,8 +100,8 @@ impl<'g> SteppedFollower<'g> {
             (to.forces[i] - at_once.forces[i]).norm() / largest / allowed
         };
         let used = (0..to.forces.len()).map(part).fold(0.0, f64::max);
-        // The error that both forms of the step have in common may be a tenth of the allowed error. This is far more than the share of one step, and
-        // is allowed because a contact makes such an error only a few times on a leg, when it starts or stops sliding, opens or closes.
+        // The error that both forms of the step have in common may be a tenth of the allowed error. This is far more than the share of one step. It
+        // is allowed because a contact makes such an error only a few times on a leg: when it starts or stops sliding, opens or closes.
         used.max(twice.shared_error / (0.1 * self.error).max(rounding))
     }
 
@@ -118,9 +118,9 @@ impl<'g> SteppedFollower<'g> {
         let off = &middle.twist - (&from.twist + &to.twist) * 0.5;
         let sites = along.problem.sites;
         let force_change = largest_force_of_motion(sites, &(&to.twist - &from.twist));
-        // Motions are measured by the forces by which they stretch the springs if all contacts stick. A step is a jump if the object, after the first
-        // half of the step, is off the straight line between the ends of the step by more than a quarter of the step's motion. The motion must also
-        // be large: more than a twentieth of the largest force.
+        // Motions are measured by the forces by which they stretch the springs if all contacts stick. After the first half of a step, the object may
+        // be off the straight line between the ends of the step. The step is a jump if this distance is more than a quarter of the step's motion. The
+        // motion must also be large: more than a twentieth of the largest force.
         if force_change > 0.05 * largest && largest_force_of_motion(sites, &off) > 0.25 * force_change {
             return None;
         }
