@@ -1,7 +1,7 @@
 //! Beyond the end of a load path, or beyond an onset (the load factor at which the first contact ceases to stick): whether any other equilibrium
 //! exists at a slightly larger load factor. Along a leg (a section of a load program) the fraction of the leg that is done takes the place of the
-//! load factor. The grasp snaps over if the object moves, at constant load, to another equilibrium. A fold is a maximum of the load along a path. The
-//! offset of a contact's springs is the command of its finger (a displacement) minus clearance and accumulated slip.
+//! load factor. The grasp snaps over if the object moves, under nearly the same load, to another equilibrium. A fold is a maximum of the load along a
+//! path. The offset of a contact's springs is the command of its finger (a displacement) minus clearance and accumulated slip.
 //!
 //! A proof that no equilibrium exists may be a motion: a virtual motion at the end, or another motion that separates the load from all possible
 //! contact forces. In the plane, and in space with polygonal friction cones, every combination of contact states is tried. The load factor is `τ* +
@@ -52,8 +52,8 @@ pub enum Beyond<const C: usize> {
     /// the model that load paths use, with artificial viscous dampers at the contacts, the object reaches none of these equilibria by small motions.
     Snap,
     /// This equilibrium ends here: the complementarity problem for the rates of forces and motion has no solution. Whether other equilibria exist at
-    /// larger loads is not known, because there are too many contacts to try all combinations of states. There are more than 32 contacts on the round
-    /// cone, or more combinations than [`Settings::most_states`] on other cones.
+    /// larger loads is not known, because there are too many contacts to try all combinations of states. The limit is 32 contacts on the round cone,
+    /// and [`Settings::most_states`] combinations on other cones.
     Ends {
         /// The reason why no rates of forces and motion exist. A work stated in the reason is done by the rate of the load, J per unit of the load
         /// factor.
@@ -88,8 +88,8 @@ pub struct Continuation<const C: usize> {
     pub rule: FoundBy,
 }
 
-/// [`Beyond::Continues`] with the contact states and rates of the solution `found`. It solves `rates`, the complementarity problem for the rates of
-/// forces and motion after an event. [`Beyond::WithoutVacuum`] if a suction cup is open all around.
+/// [`Beyond::Continues`] with the contact states and rates of the solution `found`. `found` solves `rates`, the complementarity problem for the rates
+/// of forces and motion after an event. [`Beyond::WithoutVacuum`] if a suction cup is open all around.
 pub(super) fn continuation(
     grasp: &Engine,
     rates: &Problem,

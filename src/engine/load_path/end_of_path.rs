@@ -14,8 +14,8 @@ use crate::search::{SearchCounts, SearchOutcome, Settings};
 /// The end of a path at a point where no rates of forces and motion satisfy the contact laws, or none were found. `settled` is the outcome of the
 /// search for such rates. Returns `loss`, completed by its kind and by the motion with which the object leaves, or an undecided end.
 ///
-/// The kind is `GivesWay` if nothing resists some motion. Otherwise the kind is `Corner`: with no combination of states of the contacts on the
-/// boundary of their cones do such rates exist. If the search was undecided, the end is a corner only if a proof excludes rates, or excludes an
+/// The kind is `GivesWay` if nothing resists some motion. Otherwise the kind is `Corner`: such rates exist for no combination of states of the
+/// contacts on the boundary of their cones. If the search was undecided, the end is a corner only if a proof excludes rates, or excludes an
 /// equilibrium just beyond. Without such a proof the end is undecided.
 pub(super) fn end_of_path(
     edge: &StateAtEdge<'_>,
@@ -55,10 +55,10 @@ pub(super) fn end_of_path(
 /// the second a virtual motion that proves the loss. `None` if nothing moves or no motion can be determined.
 ///
 /// The object leaves by a motion that changes no contact force, and along which the load does work. The virtual motion is a motion along which no
-/// contact force of these states does work. Because of friction the two motions differ: for a block that slides to the right on a floor, the virtual
-/// motion also points upwards, at a right angle to the contact force. If rates exist in these states, both motions are the normalised twist rate.
-/// Its sign is chosen so that contacts slip along their friction forces: it is reversed if the components of the slip rates along the friction
-/// forces have a negative sum over all contacts.
+/// contact force that these contact states allow does work. Because of friction the two motions differ: for a block that slides to the right on a
+/// floor, the virtual motion also points upwards, at a right angle to the contact force. If rates exist in these states, both motions are the
+/// normalised twist rate. Its sign is chosen so that contacts slip along their friction forces: it is reversed if the components of the slip rates
+/// along the friction forces have a negative sum over all contacts.
 pub(super) fn leaving_motions(rates: &Problem, load: &Vector, states: &[State]) -> Option<[Vector; 2]> {
     let linear_problem = LinearProblem::new(rates, states);
     let solved = match linear_problem.solve(rates.sites, &rates.offsets, &rates.wrench) {

@@ -11,8 +11,8 @@ use crate::numerics::{Each, Harmonic, mapped};
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 
-/// Energies of one leg, J: `load_work + finger_work = stored + dissipated`. If no contact slides on the round cone, forces and motions are affine in
-/// the fraction of the leg that is done on each piece of the path. Under a load that turns they are harmonics of its angle. In both cases every
+/// Energies of one leg, J: `load_work + finger_work = stored + dissipated`. If no contact slides on the round cone, forces and motions on each piece
+/// of the path are affine in the fraction of the leg that is done. Under a load that turns they are harmonics of its angle. In both cases every
 /// integral is exact. If contacts slide on the round cone, works are integrated along with the slips.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]

@@ -119,8 +119,8 @@ pub enum Change<const C: usize> {
 pub enum PathEnd<const C: usize> {
     /// All legs were followed to their end.
     Completed,
-    /// The equilibrium ends here: with no combination of contact states does it continue as the load grows. Whether another equilibrium exists beyond
-    /// is a separate question, which [`LoadPath::beyond`](super::LoadPath::beyond) answers.
+    /// The equilibrium ends here: it continues with no combination of contact states as the load grows. Whether another equilibrium exists beyond is
+    /// a separate question, which [`LoadPath::beyond`](super::LoadPath::beyond) answers.
     Lost(Box<Loss<C>>),
     /// There is no equilibrium from which the path could start.
     NoStart(Box<Outcome<C>>),
@@ -237,7 +237,8 @@ pub enum LossKind {
     /// The load has a smooth maximum while directions of sliding turn on the round cone. With the contact states at the maximum the equilibrium
     /// continues only under a smaller load.
     Fold,
-    /// Contacts are on the boundary of their cones. With no combination of their states do rates of forces and motion exist under the growing load.
+    /// Contacts are on the boundary of their cones. There is no combination of their states for which rates of forces and motion exist under the
+    /// growing load.
     Corner,
     /// The object moves without bound while the load approaches the load of this loss and never reaches it. All directions of sliding have turned
     /// towards this motion, and only friction at its limit resists it.

@@ -221,7 +221,7 @@ impl Slips<'_> {
             }
             return Some(SlipEnd::Held);
         }
-        // The path may instead continue in which only some of the contacts in `sliding` slip. Bit i of `combination`, from 0, is set if the contact
+        // The path may instead continue so that only some of the contacts in `sliding` slip. Bit i of `combination`, from 0, is set if the contact
         // `sliding[i]` slips; otherwise this contact sticks. A combination continues the path if no slip rate is negative and no margin `μ F_n -
         // |F_t|` decreases. If some combination may continue the path, `None` is returned, and the caller follows a load path.
         let holds = |combination: usize| {

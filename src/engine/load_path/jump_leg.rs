@@ -12,8 +12,9 @@
 //!
 //! The leg of a jump is followed like any other leg. If another contact leaves its static cone on the leg, the force that it loses is added to what
 //! remains of the external force. A new leg then removes the sum. If the leg reaches its end, the jump has led to an equilibrium without an external
-//! force. Otherwise equilibrium is lost on the leg, and the path ends with this [`Loss`]. The external force stands for the damping forces of an
-//! overdamped motion, in which the object does not overshoot the new equilibrium.
+//! force. Otherwise equilibrium is lost on the leg. If nothing resists the object then, it moves freely until a gap closes, and the jump continues.
+//! If not, the path ends with this [`Loss`]. The external force stands for the damping forces of an overdamped motion, in which the object does not
+//! overshoot the new equilibrium.
 
 use nalgebra::{Matrix, SVector};
 
@@ -118,7 +119,7 @@ impl<'g> JumpInProgress<'g> {
 impl<'g> PiecewiseFollower<'g> {
     /// The leg of the jump that begins when the contacts `begin` start to slide with kinetic friction. The friction forces that they lose are first
     /// applied to the object as an external force, which the leg removes; at its end the load is `goal`. `None` if these contacts have no force to
-    /// lose, because their forces are zero. Then the caller then computes again how the path continues, now with kinetic friction.
+    /// lose, because their forces are zero. The caller then computes again how the path continues, now with kinetic friction.
     pub(super) fn leg_of_release(
         &mut self,
         goal: &Vector,

@@ -9,34 +9,34 @@
 //! F(τ) = F⁰ + τ F¹        μ F_n(τ) = |F_t(τ)|   (linear in the plane, quadratic on the round cone)   or   F_n(τ) = 0
 //! ```
 //!
-//! **A load that turns** ([`Grasp::onset_of_turn`](crate::ask::Grasp::onset_of_turn), [`Leg::turn`]), like the weight in the frame of an object that
-//! is tilted. While contacts keep their states, forces and slips are harmonics of the load's angle θ. The margin of a contact is then a trigonometric
-//! polynomial, whose extrema bracket its first zero.
+//! **A load that turns** ([`Grasp::onset_of_turn`](crate::ask::Grasp::onset_of_turn), [`Leg::turn`]). An example is the weight in the frame of an
+//! object that is tilted. While contacts keep their states, forces and slips are harmonics of the load's angle θ. The margin of a contact is then a
+//! trigonometric polynomial, whose extrema bracket its first zero.
 //!
 //! ```text
 //! W(θ) = W₀ + W_c cos θ + W_s sin θ        F(θ) = F₀ + F_c cos θ + F_s sin θ
 //! ```
 //!
 //! **Beyond.** At an event (a change of contact states) the rates of forces and motion solve a complementarity problem for the contacts on the
-//! boundary of their cones. A gap grows only if the normal force stays zero, and a slip only if the friction margin `μ F_n - |F_t|` stays zero. In
-//! this problem a contact inside its cone is treated as bonded, and an open contact as absent. A solution gives the contact states and rates with
-//! which the equilibrium continues ([`Continuation`]); without a solution the equilibrium ends ([`Loss`]). Whether another equilibrium exists just
-//! beyond ([`Beyond`]) is a separate question: if no other equilibrium exists, the end is a limit load, otherwise a snap. At a snap a load path moves
-//! the object in an artificial model in which viscous dampers act at the contacts. The path then continues from the equilibrium in which the object
-//! comes to rest.
+//! boundary of their cones. A gap grows only if the normal force stays zero, and a contact slips only if the friction margin `μ F_n - |F_t|` stays
+//! zero. In this problem a contact inside its cone is treated as bonded, and an open contact as absent. A solution gives the contact states and rates
+//! with which the equilibrium continues ([`Continuation`]); without a solution the equilibrium ends ([`Loss`]). Whether another equilibrium exists
+//! just beyond ([`Beyond`]) is a separate question: if no other equilibrium exists, the end is a limit load, otherwise a snap. At a snap a load path
+//! moves the object in an artificial model in which viscous dampers act at the contacts. The path then continues from the equilibrium in which the
+//! object comes to rest.
 //!
 //! **Load programs** ([`Grasp::follow`](crate::ask::Grasp::follow)). The path leads from event to event, and slips accumulate: `F_t = K_t (a_t -
 //! t·u_c - s)`. Here K_t is the tangential stiffness, a_t the tangential command, t·u_c the object's tangential displacement at the contact, and s
-//! the earlier slip. On polygons and in the plane every piece is straight, or turns with the load. On the round cone the direction of sliding turns
-//! along the way, `ds = γ F_t` with γ >= 0 and `|F_t| = μ F_n` at all times. Slips are then integrated with an estimate of the error.
+//! the accumulated slip. On polygonal cones and in the plane every piece is straight, or turns with the load. On the round cone the direction of
+//! sliding turns along the way, `ds = γ F_t` with γ >= 0 and `|F_t| = μ F_n` at all times. Slips are then integrated with an estimate of the error.
 //!
-//! A [`Path`] stores the load program, the present place in it, and the end; the type of its items (events or steps) is a parameter. The parts of a
-//! path have these names in all files of this module:
+//! A [`Path`] stores the load program, the present place in it, and the end; the type of its items (events or steps) is a type parameter. The parts
+//! of a path have these names in all files of this module:
 //!
 //! | word | meaning |
 //! |---|---|
 //! | leg ([`Leg`]) | a part of the load program, along which load and commands change linearly to given values, or the load turns |
-//! | fraction of the leg | the part of the leg that is done, from 0 to 1; it is the parameter along a leg, as the load factor is along a ramp |
+//! | fraction of the leg | the part of the leg that is done, from 0 to 1; it measures progress along a leg, as the load factor does along a ramp |
 //! | place | a point of the path, given by the index of a leg and the fraction of this leg that is done |
 //! | segment | the loads and commands along one leg (or ramp, or turn) in the engine's coordinates, with the slips so far |
 //! | piece | a part of a leg on which all contacts keep their states; its stored form is a `StoredPiece` |

@@ -38,7 +38,7 @@ struct NodeRates<'g> {
 /// What the path stores at a node, or at the end of the last piece. Each list has an entry for each contact and drive.
 #[derive(Debug, Clone)]
 pub(super) struct Node {
-    /// Contact states. A slide on the round cone is stored with the direction of its friction force.
+    /// Contact states. The state of a contact that slides on the round cone is stored with the direction of its friction force.
     pub(super) states: Vec<State>,
     /// For each contact the unit direction, along the coordinate axes, in which the finger slides over the object; `None` if the contact does not
     /// slide.
@@ -49,7 +49,7 @@ pub(super) struct Node {
     pub(super) holds: Vec<bool>,
     /// Whether some contact starts to slide from the apex of its cone, so that it has a direction of sliding, but no friction force yet.
     pub(super) starts_at_apex: bool,
-    /// Indices of contacts whose slip has ended at this node.
+    /// Indices of contacts that have stopped sliding at this node.
     pub(super) stopped: Vec<usize>,
     pub(super) at: ForcesAndTwist,
     /// The fraction of the leg whose rates of load and commands determined the continuation: that of the node or, while the load turns, a slightly
@@ -125,9 +125,9 @@ impl Node {
     /// Solves the rate problem at the node. The rates of load and commands are taken at the node or, while the load turns, at a slightly larger
     /// fraction of the leg ("ahead").
     ///
-    /// While the load turns, a slip may stop, or a force may touch the boundary of its cone, exactly at the node. The rates at the node then do not
-    /// show whether the slip reverses or the force leaves the cone; rates slightly ahead do. The load rates for which given contact states hold form
-    /// a convex cone. So states that hold for the rates at the node and for the rates ahead also hold in between.
+    /// While the load turns, a contact may stop sliding, or a force may touch the boundary of its cone, exactly at the node. The rates at the node
+    /// then do not show whether the slip reverses or the force leaves the cone; rates slightly ahead do. The load rates for which given contact
+    /// states hold form a convex cone. So states that hold for the rates at the node and for the rates ahead also hold in between.
     fn decided<'g>(&self, segment: &Segment<'g>, factor: f64, settings: &Settings) -> NodeRates<'g> {
         let laws = segment.laws_of_rates(&self.active_sets, &self.states);
         let at = |ahead: f64| {

@@ -92,7 +92,7 @@ pub struct OnsetEvent<const C: usize> {
 pub(super) struct StickingState {
     pub(super) found: StoredSolution,
     pub(super) rule: FoundBy,
-    /// For each contact or drive its active set. An empty set means that its force lies inside its cone.
+    /// For each contact or drive its active set. An empty set means that its force lies inside its cone, or that it is open with a positive gap.
     pub(super) active_sets: Vec<ActiveSet>,
     /// Indices of the contacts and drives that stop sticking.
     pub(super) leaving: Vec<usize>,

@@ -1,7 +1,7 @@
 //! [`Path`]: a load program being followed, from event to event or in numerical steps. The program consists of legs (sections); a piece is a part of
-//! a leg on which all contacts keep their states. A place is the index of a leg and the fraction of it that is done. The object snaps over if it
-//! moves at almost constant load from a place at which the path of equilibria ends to another equilibrium. Motions are small within the limits up to
-//! which the linear theory is trusted. The engine computes with vectors of three components, also in the plane.
+//! a leg on which all contacts keep their states. A place is the index of a leg and the fraction of it that is done. If the path of equilibria ends,
+//! and the object moves to another equilibrium under nearly the same load, the object snaps over. Motions are small within the limits up to which the
+//! linear theory is trusted. The engine computes with vectors of three components, also in the plane.
 
 use crate::numerics::IntoList;
 use core::fmt;

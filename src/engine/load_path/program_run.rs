@@ -19,7 +19,8 @@ use crate::object::{Load, Problem};
 use crate::prelude::*;
 use crate::search::{Doubt, FoundBy, SearchCounts, SearchOutcome, SearchSolution, Settings, settle_at_rest};
 
-/// The result of the search for the equilibrium from which a path starts, and counts of the work of this search.
+/// The result of the search for the equilibrium from which a path starts, and the numbers of pivots and of combinations of contact states that it
+/// took.
 pub(crate) type SearchAtRest = (SearchOutcome, SearchCounts);
 
 /// A load program in progress, with its grasp and settings.

@@ -1,9 +1,10 @@
 //! A segment describes one leg (section) of a load program, a ramp or a turn: the load and the spring offsets of contacts (commanded displacement
 //! minus clearance and slip) as functions of one parameter, the load factor. On a ramp it is the multiple of the growing load, on a leg the fraction
-//! of the leg that is done. The load changes linearly or turns, and commands change linearly. While contacts keep their states (sticking, sliding or
-//! open), forces and motions are linear functions, too, or harmonics of the load's angle. A piece is a part of a leg with fixed contact states. Along
-//! an arc, a piece on which directions of sliding turn, arclength takes the place of the load factor. The rate problem is the complementarity problem
-//! for the rates of forces and motion. A drive, the spring of a joint or tendon of a hand with its force limit, is treated like a contact.
+//! of the leg that is done, and on a turn without a leg the angle. The load changes linearly or turns, and commands change linearly. While contacts
+//! keep their states (sticking, sliding or open), forces and motions are linear functions, too, or harmonics of the load's angle. A piece is a part
+//! of a leg with fixed contact states. Along an arc, a piece on which directions of sliding turn, arclength takes the place of the load factor. The
+//! rate problem is the complementarity problem for the rates of forces and motion. A drive, the spring of a joint or tendon of a hand with its force
+//! limit, is treated like a contact.
 
 use nalgebra::{Matrix, SVector};
 

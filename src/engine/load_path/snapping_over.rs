@@ -14,9 +14,9 @@
 //!
 //! A step in time of length h solves `(T + D/h) Δq = R`, where D is the matrix `Σ G_i K_i G_iᵀ` and T the tangent stiffness. Then the slip of every
 //! contact in this step is added to its accumulated slip s_i. Steps become longer as long as the imbalance after each step is nearly D Δq/h, the
-//! value expected from the dampers. Once forces nearly balance, the imbalance R that is left is removed along an additional leg, along which load and
-//! commands else stay constant. The path continues at the end of this leg. If the motion exceeds the limits of small motions, the equilibrium is
-//! taken as lost.
+//! value expected from the dampers. Once forces nearly balance, the imbalance R that is left is removed along an additional leg. Along this leg
+//! commands stay constant, and only the imbalance changes the load. The path continues at the end of this leg. If the motion exceeds the limits of
+//! small motions, the equilibrium is taken as lost.
 
 use nalgebra::SVector;
 
@@ -138,8 +138,7 @@ pub(super) fn a_little(sites: &[Site], change: &[SVector<f64, 3>], mut rate: Vec
     LITTLE_BEYOND * (largest / rate.norm()).max(LEAST_FORCE)
 }
 
-/// The number of times that the object has snapped over to another equilibrium on a leg so far. Also the fraction of the leg at which it last came to
-/// rest.
+/// How often the object has snapped over to another equilibrium on a leg so far, and where on the leg it last came to rest.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct SnapCount {
     count: usize,

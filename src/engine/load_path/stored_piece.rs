@@ -54,11 +54,11 @@ pub(super) struct StoredPiece<'g> {
 /// Slips and states of all contacts and drives in a jump.
 #[derive(Debug)]
 pub(super) struct JumpRecord {
-    /// For each contact or drive its accumulated slip before this sudden motion, m.
+    /// For each contact or drive its accumulated slip before the jump, m.
     pub(super) slips: Vec<SVector<f64, 3>>,
-    /// For each contact or drive: true if it slid in this motion.
+    /// For each contact or drive: true if it slid in the jump.
     pub(super) slid: Vec<bool>,
-    /// Successive lists of the states of all contacts and drives in this motion.
+    /// Successive lists of the states of all contacts and drives in the jump.
     pub(super) states: Vec<Vec<State>>,
 }
 

@@ -232,7 +232,7 @@ pub(super) fn inside(grasp: &Engine, load: &Harmonic<Wrench<3>>) -> Harmonic<Vec
     }
 }
 
-/// A contact whose force reaches the boundary of its friction cone without crossing it. Or a drive of a hand that reaches its force limit without
+/// A contact whose force reaches the boundary of its friction cone without crossing it, or a drive of a hand that reaches its force limit without
 /// exceeding it.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]

@@ -1,6 +1,7 @@
 //! Contact forces and twist of a load path under a load that turns. Three linear solves give them, one each for the constant, cosine and sine terms
 //! of the load. As long as contacts keep their states (open, sticking or sliding), the solutions also give forces, stretches and twist as harmonic
-//! functions of the load's angle. A leg is a section of the load program. The load factor is here the fraction of the leg that is done.
+//! functions of the load's angle. A leg is a section of the load program. The load factor is here the fraction of the leg that is done or, for a turn
+//! without a leg, the angle.
 
 use alloc::sync::Arc;
 
