@@ -59,7 +59,6 @@ pub(crate) struct CycleRecord {
     pub(crate) open: Vec<Option<f64>>,
     /// For each contact or drive, its largest gap, m, at the ends of the pieces of the path on which it was open; zero if it was never open.
     pub(crate) largest_gap: Vec<f64>,
-    /// The number of jumps in the cycle.
     pub(crate) jumps: usize,
     /// The largest displacement at a contact point, m, in a jump of the cycle.
     pub(crate) jump_motion: f64,

@@ -158,7 +158,6 @@ impl<const C: usize> From<&Self> for Ramp<C> {
     }
 }
 
-/// Converts a list of arrays to vectors.
 pub(super) fn vectors<const C: usize>(
     list: impl IntoIterator<Item = impl Into<[f64; C]>>,
 ) -> Vec<SVector<f64, C>> {

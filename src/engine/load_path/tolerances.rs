@@ -85,7 +85,8 @@ pub(super) const GATHERED_MARGIN: f64 = 1e-8;
 pub(super) const NO_RIGID_MOTION: f64 = 1e-6;
 
 /// A contact force is taken as constant if it changes by at most this fraction of the largest force in a unit of arclength. The fraction of the leg
-/// is taken as constant if it changes by at most this number. A direction of sliding within this angle (rad) of its final direction has reached it.
+/// is taken as constant if it changes by at most this number in a unit of arclength. A direction of sliding within this angle (rad) of its final
+/// direction has reached it.
 ///
 /// If smaller, rounding seems to turn directions for ever; if larger, directions that still turn are taken as final.
 pub(super) const STANDS_STILL: f64 = 1e-10;

@@ -1,4 +1,5 @@
-//! A load as a function of the load factor: linear, or a turn.
+//! A load as a function of the load factor: linear, or a turn. The load factor is the multiple of the growing load on a ramp, the fraction of the leg
+//! that is done on a leg, and the angle on a turn without a leg.
 
 use core::ops::{Add, Mul, Sub};
 

@@ -3,9 +3,8 @@
 //!
 //! Forces of sticking contacts, and gaps, are linear in the twist and in the fraction of the leg that is done. At the fraction s of a step they
 //! follow the cubic polynomial through the values and rates at both ends. The error is at most `s²(1 - s)² g`, with a number g (N or m) that is
-//! estimated. A margin `μ F_n -
-//! |F_t|` is concave in the force. Hence on a piece of the cubic it is at least its minimum over the four Bézier points P_i of the piece. As pieces
-//! are halved, these points converge to the curve.
+//! estimated. A margin `μ F_n - |F_t|` is concave in the force. Hence on a piece of the cubic it is at least its minimum over the four Bézier points
+//! P_i of the piece. As pieces are halved, these points converge to the curve.
 //!
 //! ```text
 //! F(s) = Σ_i B_i(s) P_i,   B_i >= 0,  Σ B_i = 1:      margin(F(s)) >= min_i margin(P_i)

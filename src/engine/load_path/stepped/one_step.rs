@@ -26,7 +26,6 @@ pub(super) struct SteppedState {
 }
 
 impl SteppedState {
-    /// The largest contact force, N.
     pub(super) fn largest_force(&self) -> f64 {
         largest(&self.forces, &SVector::norm_squared).sqrt()
     }
@@ -71,7 +70,6 @@ pub(super) struct StepProblem<'g> {
 }
 
 impl<'g> StepProblem<'g> {
-    /// The problem for steps along the present leg of `run`.
     pub(super) fn along(run: &ProgramRun<'g>) -> Self {
         let trajectory = run.program.inside_trajectory(run.grasp);
         let offsets = run.program.offsets(run.grasp);
