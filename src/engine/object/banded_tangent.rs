@@ -10,9 +10,7 @@
 //!
 //! T has an entry for every two coordinates that a contact couples; a suitable order puts these entries near its diagonal. LU factors of T take a few
 //! thousandths of the time of orthogonal factors of A and B. But they lose twice as many digits if stiffnesses differ widely. Iterative refinement in
-//! twice the working precision restores the digits, or shows that it cannot. A singular T is accepted if its null vectors stretch no spring, and the
-//! loads that the springs cannot balance span a space of the same dimension as the null vectors. Every other nearly singular T is left to orthogonal
-//! factors.
+//! twice the working precision restores the digits, or shows that it cannot.
 
 use crate::numerics::{
     Band, BandFactors, Size, Vector, generic, mapped, moved, narrow_order, numbered, summed, widest,

@@ -83,8 +83,8 @@ impl LinearProblem {
         Correction { forces: forces.iter().zip(at).map(missing).list(), twist: way, doubt }
     }
 
-    /// Moves the friction forces of sliding contacts onto their cones. Writes the residual e_r of each spring r (see the top of the file) to `e`.
-    /// Returns the imbalance `ρ = Σ G_i F_i + W` of the contact forces F_i with grasp maps G_i and the load W.
+    /// Moves the friction forces of sliding contacts onto their cones. Writes the scaled residual `e_r = s_r · w_i` of each spring r to `e`, with the
+    /// residual displacement w_i of its contact. Returns the imbalance `ρ = Σ G_i F_i + W` of the contact forces F_i and the load W.
     fn residual_of(
         &self,
         problem: &Problem,
@@ -157,7 +157,8 @@ impl TransverseResidual {
     }
 }
 
-/// Changes the friction force of a sliding contact, which is off the edge of its cone by rounding, to lie on this edge. The normal force stays.
+/// Moves the friction force of a sliding contact, which is off the boundary of its cone by rounding, onto this boundary. The normal force stays. The
+/// boundary (`edge` in code names) is the round cone `|F_t| = μ F_n`, or a facet or corner of the polygonal cone.
 fn put_on_cone(local: &LocalLaw<'_>, state: &State, force: &mut [DoubleDouble; 3]) {
     let mut limit = DoubleDouble::default();
     limit.add_product_of_twice((local.cone().limit(1.0), 0.0), force[0]);

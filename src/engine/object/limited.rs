@@ -14,8 +14,8 @@ pub(super) struct Limited {
     opens: bool,
     slides: SlideDirections,
     cone: Coulomb,
-    /// Flag: true for a contact on the edge of its cone in a rate problem, whose unknowns are rates along a load path. The friction limit is
-    /// then the rate of the actual limit, and may be negative.
+    /// True for a contact on the boundary of its cone in a rate problem, whose unknowns are rates along a load path. The friction limit is then the
+    /// rate of the actual limit, and may be negative.
     is_rate: bool,
 }
 
@@ -54,9 +54,9 @@ pub(super) struct LimitedAnswer {
 }
 
 impl Limited {
-    /// The contact with its polygonal friction cone if `on_polygons` is true, otherwise with its round cone. `None` in two cases that Tresca
-    /// friction does not cover. The first is a contact that may open but never slides. The second, in space, is a contact on the edge of its
-    /// cone in a rate problem (for derivatives along a load path).
+    /// The contact with its polygonal friction cone if `on_polygons` is true, otherwise with its round cone. `None` in two cases that Tresca friction
+    /// does not cover. The first is a contact that may open but never slides. The second, in space, is a contact on the boundary of its cone in a
+    /// rate problem (for derivatives along a load path).
     pub(super) fn of(local: &LocalLaw<'_>, offset: &SVector<f64, 3>, on_polygons: bool) -> Option<Self> {
         let (offset, cone) = (*offset, local.cone());
         if local.is_absent() {
@@ -77,8 +77,8 @@ impl Limited {
         };
         let keeps = opens && stiffness[1] > 0.0 && matches!(slides, SlideDirections::Never);
         let is_rate = matches!(local.law, Law::Edge(_));
-        // The force of a contact on the edge of its cone in a rate problem is limited by single facets at this edge. In space they form neither a
-        // complete polygon nor a round cone, one of which is necessary here.
+        // In a rate problem single facets limit the force of a contact on the boundary of its cone. In space they form neither a complete polygon nor
+        // a round cone, one of which is necessary here.
         (!keeps && (local.is_planar() || !is_rate)).then_some(Self {
             stiffness,
             offset,

@@ -128,19 +128,21 @@ impl LinearProblem {
         rows
     }
 
-    /// Whether the tangent stiffness is factorised as a band matrix, not by orthogonal factors.
+    /// True if the tangent stiffness BᵀA is factorised as a band matrix, false if A and B have orthogonal factors.
     pub(crate) fn is_banded(&self) -> bool {
         self.band.is_some()
     }
 
-    /// The change of every coordinate, in the order of the band matrix, if a sticking contact pushes with given forces along its axes. The
-    /// entries of `pushes` are these forces divided by the square roots of the stiffnesses. `None` without a band matrix.
+    /// The change of every coordinate if a sticking contact pushes with given forces along its axes. The coordinates are in the order in which the
+    /// tangent stiffness is a narrow band. The entries of `pushes` are the forces divided by the square roots of the stiffnesses. `None` if there is
+    /// no band matrix.
     pub(crate) fn displacements_under(&self, contact: usize, pushes: &SVector<f64, 3>) -> Option<Vec<f64>> {
         Some(self.band.as_ref()?.0.displacements_under(contact, &self.along_springs(contact, pushes)[..]))
     }
 
-    /// The sum of the scaled stretches of a contact's springs for the changes `displacements` of the coordinates, in the order of the band matrix.
-    /// Each stretch is weighted by the entry of `times` for the spring's axis. Zero without a band matrix.
+    /// The weighted sum of the scaled stretches of a contact's springs under the changes `displacements` of the coordinates. The coordinates are in
+    /// the order in which the tangent stiffness is a narrow band. The weight of a stretch is the entry of `times` for the spring's axis. The sum is
+    /// zero if there is no band matrix.
     pub(crate) fn weighted_stretch(
         &self,
         contact: usize,

@@ -17,7 +17,8 @@ pub(crate) struct Load {
 }
 
 impl Engine {
-    /// The caller's load in the coordinates of [`Load`]. The pull of vacuums and the constant loads on bodies and joints are added to it.
+    /// The caller's load, with moments about the centroid of the contacts and lever arms in the engine's unit of length. The pull of vacuums and the
+    /// constant loads on bodies and joints are added to it.
     ///
     /// # Errors
     /// [`Error::Wrench`] if a component of the load is not finite or larger than 1e50; `what` is the name of the load in this error.
@@ -25,14 +26,18 @@ impl Engine {
         Ok(Load { wrench: self.load_alone(load, what)?, rounding_error: self.inside_rounding_error(load) })
     }
 
-    /// The sum of all loads in working precision, without its rounding error: the field `wrench` of [`Self::load`]. The errors are those of
-    /// [`Self::load`].
+    /// The sum of all loads (the caller's load, the pull of vacuums, and the constant loads on bodies and joints) in working precision, without its
+    /// rounding error.
+    ///
+    /// # Errors
+    /// [`Error::Wrench`] if a component of the load is not finite or larger than 1e50; `what` is the name of the load in this error.
     pub(crate) fn load_alone(&self, load: &Wrench<3>, what: &'static str) -> Result<Vector, Error> {
         load.check_in(self.space(), what)?;
         Ok(self.load_unchecked(load))
     }
 
-    /// The sum of all loads, as for [`Self::load_alone`]. The caller has checked that the components of `load` are finite and at most 1e50.
+    /// The sum of all loads (the caller's load, the pull of vacuums, and the constant loads on bodies and joints) in working precision. The caller
+    /// has checked that the components of `load` are finite and at most 1e50.
     pub(crate) fn load_unchecked(&self, load: &Wrench<3>) -> Vector {
         let mut inside = self.inside_unchecked(load);
         if let Some(bodies) = self.bodies() {

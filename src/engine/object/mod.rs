@@ -1,5 +1,5 @@
 //! The coupling of the contacts by the twist of the object. The twist has d coordinates: those of the object, of joints and of further bodies. Only
-//! springs of contacts and drives resist it.
+//! the springs of the contacts, and those of joints and tendons (drives), resist it.
 //!
 //! With every contact in a known state, twist and contact forces follow from one linear `d x d` system. This folder solves it for the other folders
 //! of the engine.
@@ -16,7 +16,7 @@
 //! | `newton` | Newton's method for equilibrium, in which each contact's force is explicit in the twist; `relaxing`: a start for it |
 //! | `correction` | the error of given contact forces and twist in given contact states |
 //! | `precise`, `load` | twist, sum of forces and moments, and load in twice the working precision |
-//! | `sizes` | sizes of forces (N) and displacements (m) to which rounding errors are proportional |
+//! | `sizes` | rounding scales: the forces (N) and displacements (m) to which rounding errors are proportional |
 //! | `tresca`, `limited` | proposed states of many contacts, with friction limits that do not depend on the normal force |
 
 mod banded_tangent;

@@ -69,8 +69,8 @@ pub(super) fn on_cones(
     }
 }
 
-/// Newton's method ([`newton`]) from the twist `twist` with the laws of `problem`. The force of each contact is its elastic force mapped back onto
-/// its friction cone (`contact/answer`); contacts may take any state.
+/// Newton's method ([`newton`]) from the twist `twist` with the laws of `problem`. The force of each contact is its elastic force, which its springs
+/// would have if it stuck, mapped back onto its friction cone. Contacts may take any state.
 pub(crate) fn newton_on_cones(
     problem: &Problem,
     (twist, settled): (Vector, f64),
@@ -79,10 +79,10 @@ pub(crate) fn newton_on_cones(
     newton(problem, (twist, settled, f64::MIN_POSITIVE), contacts, &on_cones(problem))
 }
 
-/// Newton's method from the twist `twist`, with every contact open at first. It ends when the norm of the imbalance is at most the fraction `settled`
-/// of the sum of the norms of contact forces and load, plus `beside`, N. An imbalance up to `settled * beside` is thus accepted even if all forces
-/// are zero, because it may be rounding. Returns the twist, the number of steps, and the remaining imbalance; `None` if the iteration does not
-/// converge. The list `contacts` is overwritten, and finally holds the responses at the returned twist.
+/// Newton's method from the twist `twist`. It ends when the norm of the imbalance is at most the fraction `settled` of a sum, N: the norms of all
+/// contact forces, the norm of the load, and `beside`. An imbalance up to `settled * beside` is thus accepted even if all forces are zero, because it
+/// may be rounding. Returns the twist, the number of steps, and the remaining imbalance; `None` if the iteration does not converge. The list
+/// `contacts` is overwritten, and finally holds the responses at the returned twist.
 ///
 /// A step that does not reduce the norm of the imbalance enough is halved: otherwise the method may alternate between two states of a contact. If no
 /// shorter step reduces the norm enough, the whole step is taken.
@@ -107,8 +107,8 @@ pub(crate) fn newton(
         let step = problem.tangent_factors(&|i| contacts[i].state).solve(&response_at.left);
         let mut at = |part: f64| respond(problem, (&(&twist + &step * part), beside), contacts, response);
         let (mut part, mut next) = (1.0, at(1.0));
-        // A Newton step is halved until at most this fraction of it is left. The fraction p of a step is accepted if it reduces the norm of the
-        // imbalance to at most the fraction `1 - p SUFFICIENT_DECREASE`.
+        // A Newton step is halved at most until the fraction `shortest` of it is left. The fraction p of a step is accepted if it reduces the norm of
+        // the imbalance to at most `1 - p SUFFICIENT_DECREASE` times its present value.
         let shortest = 1e-3;
         while next.left.norm() > (1.0 - SUFFICIENT_DECREASE * part) * norm && part > shortest {
             part *= 0.5;
@@ -124,8 +124,8 @@ pub(crate) fn newton(
     None
 }
 
-/// Writes the response of each contact to a twist into `contacts`. Returns the imbalance of contact forces and load. The `size` of the imbalance
-/// is the sum of the norms of contact forces and load, plus `beside`, N (see [`newton`]).
+/// Writes the response of each contact to a twist into `contacts`. Returns the imbalance of contact forces and load. Its field `size` is the sum of
+/// the norms of all contact forces, the norm of the load, and `beside`, N.
 pub(super) fn respond(
     problem: &Problem,
     (twist, beside): (&Vector, f64),

@@ -1,7 +1,7 @@
 //! Null vectors of the tangent stiffness T = BᵀA, stored as a band matrix, and their mechanical meaning.
 //!
-//! A maps a motion of the object to the scaled stretches of all springs. Bᵀ maps the scaled forces of the springs to a wrench on the object (see
-//! `linear_problem`).
+//! A maps a motion of the object to the stretches of all springs, each multiplied by the square root of the spring's stiffness (scaled stretches). Bᵀ
+//! maps the spring forces, each divided by this root (scaled forces), to a wrench on the object.
 //!
 //! ```text
 //! A n = 0             the motion n stretches no spring: free
@@ -18,8 +18,8 @@ use crate::numerics::{
 };
 use crate::prelude::*;
 
-/// Null vectors of the tangent stiffness T (`free`, `neutral`) and of its transpose (`unbalanced`, `without_response`), see the head of this file.
-/// All four lists are empty if T is regular.
+/// Null vectors of the tangent stiffness T (`free`, `neutral`) and of its transpose (`unbalanced`, `without_response`). All four lists are empty if T
+/// is regular.
 #[derive(Debug, Clone)]
 pub(super) struct NullMotions {
     /// Null vectors n of the tangent stiffness T that stretch no spring: A n = 0 with the matrix A of spring stretches. Orthonormal.
@@ -80,7 +80,7 @@ impl NullMotions {
 
     /// The sum of the left null vectors in `without_response`, each weighted by the work that the load and the spring forces `x` do along it. `None`
     /// if all these weights are zero. `x` holds the scaled force of each spring at zero twist, due to the contact offsets a (commands minus
-    /// clearances and slips): `s·a`, with the vector s along which the spring is stretched (see `linear_problem`).
+    /// clearances and slips): `s·a`, with the vector s along which the spring is stretched.
     pub(super) fn motion_of_work(&self, x: &[f64], load: &Vector) -> Option<Vector> {
         let mut sum = Vector::zeros();
         for (z, stretches) in &self.without_response {
@@ -89,10 +89,10 @@ impl NullMotions {
         (sum.norm() > 0.0).then_some(sum)
     }
 
-    /// Whether no spring forces can balance the load under the given contact offsets. `x` holds the scaled force of each spring that the offsets
+    /// True if no spring forces can balance the load under the given contact offsets. `x` holds the scaled force of each spring that the offsets
     /// cause at zero twist. Along a motion z in `without_response`, no twist changes the work of the spring forces, so this work is that of `x`. If
-    /// the load and the forces `x` together do more work along z than rounding explains, there is no balance. `growth` is the factor by which the LU
-    /// factors amplify rounding.
+    /// the load and the forces `x` together do more work along z than rounding explains, there is no balance. `growth` returns the factor by which
+    /// the LU factors amplify rounding.
     pub(super) fn are_out_of_reach(&self, x: &[f64], load: &Vector, growth: &dyn Fn() -> f64) -> bool {
         self.without_response.iter().any(|(z, stretches)| {
             let sizes = |a: &[f64], b: &[f64]| a.iter().zip(b).fold(0.0, |sum, (a, b)| sum + (a * b).abs());
@@ -153,8 +153,8 @@ fn sorted_null_vectors(
             stretches.iter_mut().zip(of_known).for_each(|(x, known)| *x += known * part);
         }
         let length = dot(&stretches, &stretches).sqrt();
-        // A unit motion is free if it hardly stretches any spring: the norm of the stretches is at most this fraction of the largest stretch of a
-        // spring under any unit motion. For a motion that does stretch a spring, even a soft one, this fraction is above 1e-6.
+        // A unit motion is free if it hardly stretches any spring: the norm of the scaled stretches is at most 1e-11 of the largest scaled stretch of
+        // a spring under any unit motion. If the motion does stretch a spring, even a soft one, the ratio of the two is above 1e-6.
         if length <= 1e-11 * side.longest {
             apart.unstretched.push(v);
             continue;
@@ -162,8 +162,8 @@ fn sorted_null_vectors(
         let mut left = vec![0.0; band.numbers.len()];
         springs.add(other, &stretches, &mut left);
         let left = left.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
-        // The tangent stiffness T is singular along a motion if the spring forces that the motion causes are in balance. Up to rounding, their
-        // resultant is then at most this fraction of the norm of the stretches. The comparison is false for NaN.
+        // The tangent stiffness T is singular along a motion if the spring forces that the motion causes are in balance. Because of rounding their
+        // resultant is then not zero, but at most the fraction `LINEARLY_DEPENDENT` of the norm of the stretches. The comparison is false for NaN.
         let singular = left <= LINEARLY_DEPENDENT * length;
         if !singular {
             return None;

@@ -6,11 +6,11 @@
 //!
 //! q is the twist of the object, G_i the grasp map of contact i, and W the load. In the static problem, the offset a_i is the commanded displacement
 //! minus clearance and slip, and each contact has its full law. In the rate problem, a_i and W are derivatives of offset and load along a path; v_i,
-//! q and F_i are the derivatives of stretch, twist and force. Each contact then has the law that relates rates of force and stretch at its present
-//! state ([`Law`]). In the elastic trial all contacts stick.
+//! q and F_i are the derivatives of stretch, twist and force. Each contact then has a law between the rates of its force and its stretch, valid at
+//! its present force ([`Law`]). In the elastic trial all contacts stick.
 //!
-//! Friction cones are round, or polygons with plane facets replace them. At the apex of a cone the force is zero. The coordinates of q describe the
-//! motion of the object, of joints and of further bodies.
+//! Friction cones are round, or polygonal with plane facets (`edges` in code names). At the apex of a cone the force is zero. The coordinates of q
+//! describe the motion of the object, of joints and of further bodies.
 
 use crate::numerics::{DoubleDouble, IntoList, Size, Vector, by_axis, cleared_for, indexed, numbered};
 use alloc::sync::Arc;
@@ -46,10 +46,10 @@ pub(crate) struct Problem<'g> {
     pub(crate) wrench: Vector,
     /// Rounding error of the load `wrench`, exact minus rounded, from moving its moment to the centroid of the contacts. Zero in the rate problem.
     pub(crate) wrench_rounding_error: Vector,
-    /// Flag: true if a contact with infinite friction is treated as if its coefficient were very large. Such a contact has facets of a friction cone
-    /// and may slide.
+    /// True if a contact with infinite friction is treated as a contact with a very large coefficient of friction, which has facets of a friction
+    /// cone and may slide.
     pub(crate) infinite_friction_has_edges: bool,
-    /// Flag: true if the round cone limits friction forces in space, so that the polygon only serves to propose contact states. If false, the polygon
+    /// True if the round cone limits friction forces in space, so that the polygon only serves to propose contact states. If false, the polygon
     /// limits friction forces.
     pub(crate) round: bool,
     /// Where the grasp stores the factors of the elastic trial, in which all contacts stick, once they are computed. `None` in the rate problem.
@@ -59,8 +59,7 @@ pub(crate) struct Problem<'g> {
     pub(crate) near: &'g [State],
 }
 
-/// Three lists of a [`Problem`], each with an entry for each contact. The caller passes them in, so that a new problem reuses the memory of an
-/// earlier one.
+/// Three lists of a [`Problem`], each with an entry for each contact. A new problem takes the lists of an earlier one, so that nothing is allocated.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct ProblemLists {
     pub(crate) laws: Vec<Law>,
@@ -82,7 +81,8 @@ impl Engine {
         self.problem_in(lists, polygon, round, load)
     }
 
-    /// [`Self::problem`] in reused lists: `lists.offsets` holds the offsets, and the two other lists are overwritten.
+    /// The static problem of this grasp under `load`, like [`Self::problem`], but without allocation: its vectors are those of `lists`. The caller
+    /// puts the offsets into `lists.offsets`; the laws and slips in `lists` are overwritten.
     pub(crate) fn problem_in(
         &self,
         lists: ProblemLists,
@@ -138,7 +138,7 @@ impl<'g> Problem<'g> {
 
     /// The rate problem, for derivatives of forces and twist along a load path. `laws` are the contact laws of rates, `offsets` the rates of the
     /// contact offsets, and `wrench` is the rate of the load. In space only contacts at the apex of their cone keep a round cone. The law of a
-    /// contact on the edge of its cone has a plane facet instead.
+    /// contact on the boundary of its cone has a plane facet instead.
     pub(crate) fn at_rates(&self, laws: Vec<Law>, offsets: Vec<SVector<f64, 3>>, wrench: Vector) -> Self {
         let slips = vec![SVector::zeros(); self.len()];
         let wrench_rounding_error = Vector::zeros();
@@ -231,9 +231,9 @@ impl<'g> Problem<'g> {
         self.each(|local| local.trial_state())
     }
 
-    /// Contact states proposed for a rate problem, which determines derivatives of forces and twist along a load path. Contacts on the edge of
-    /// their cone slide, contacts at the apex of their cone (zero force) open, and all others stick. This is the most common solution of a rate
-    /// problem, and one linear solve checks it.
+    /// Contact states proposed for a rate problem, which determines derivatives of forces and twist along a load path. Contacts on the boundary of
+    /// their cone slide, contacts at the apex of their cone (zero force) open, and all others stick. These are the most common contact states of a
+    /// solution, and one linear solve checks them.
     pub(crate) fn yielding(&self) -> Vec<State> {
         self.each(|local| local.yielding())
     }

@@ -1,5 +1,5 @@
-//! Relaxation of a stuck grasp: an artificial motion of the object, from the state in which every contact sticks towards a nearby equilibrium.
-//! Its only use is to select the twist from which Newton's method starts.
+//! Relaxation of a stuck grasp: an artificial motion of the object towards a nearby equilibrium. It starts at the twist at which forces balance if
+//! every contact sticks. Its only use is to select the twist from which Newton's method starts.
 //!
 //! With Coulomb friction a grasp may have several equilibria; in an extreme case the object lies next to the fingers. Newton's method from a distant
 //! start jumps from one equilibrium to another. Let R(q) be the imbalance of contact forces and load at the twist q, G_i the grasp map and K_i the
@@ -9,10 +9,10 @@
 //! q <- q + T⁻¹R(q),   T = Σ G_i K_i G_iᵀ
 //! ```
 //!
-//! At every twist the contact forces follow from the contact law, with slip where the spring force is beyond the friction cone. The object then
-//! moves as if every contact resisted its motion by a dashpot in proportion to its stiffness. Steps in nearly the same direction are made
-//! longer. The steps approach one equilibrium. This equilibrium is stable, and as long as it remains stable, it varies continuously with loads,
-//! commands and friction.
+//! At every twist the contact forces follow from the contact law, with slip where the spring force is beyond the friction cone. The object then moves
+//! as if every contact had a dashpot, with a viscosity in proportion to the contact's stiffness. Steps in nearly the same direction are made longer.
+//! The steps approach one equilibrium. This equilibrium is stable, and as long as it remains stable, it varies continuously with loads, commands and
+//! friction.
 
 use super::newton::{on_cones, respond};
 use super::problem::Problem;
@@ -22,12 +22,12 @@ use crate::contact::ContactResponse;
 use crate::numerics::Vector;
 use crate::prelude::*;
 
-/// The sequence of twists of the relaxation (see the top of the file), from the equilibrium in which everything sticks.
+/// The twists of the relaxation `q <- q + T⁻¹R(q)`, from the twist at which forces balance if everything sticks.
 ///
-/// The iterator returns twists at which the object has nearly relaxed. At the first twist, the estimated remaining displacement is a hundredth of the
-/// displacement so far. With each further twist this fraction is a hundred times smaller. The last twist comes after `RELAXING_STEPS` steps, or once
-/// the imbalance R of forces is zero. Short steps indicate an equilibrium, or a twist near which a stable equilibrium has just vanished. If Newton's
-/// method finds no equilibrium from such a twist, the caller asks for the next twist.
+/// The iterator returns twists at which the object has nearly relaxed. At the first of them, the estimated remaining displacement is at most a
+/// hundredth of the displacement so far. This fraction is a hundred times smaller at each further twist. The last twist is that after
+/// `RELAXING_STEPS` steps, or the one at which T⁻¹R is zero. Short steps indicate an equilibrium, or a twist near which a stable equilibrium has just
+/// vanished. If Newton's method finds no equilibrium from a returned twist, the caller asks for the next one.
 pub(crate) struct SpringDashpotRelaxation<'p, 'a> {
     problem: &'p Problem<'a>,
     factors: TangentFactors,
@@ -39,8 +39,7 @@ pub(crate) struct SpringDashpotRelaxation<'p, 'a> {
     /// stiffness T.
     step_factor: f64,
     steps: usize,
-    /// The next twist is returned once the estimated remaining displacement is at most this fraction of the displacement from the twist at which
-    /// everything sticks.
+    /// The next twist is returned once the estimated remaining displacement is at most this fraction of the displacement from the start.
     nearly: f64,
 }
 
@@ -74,8 +73,9 @@ impl Iterator for SpringDashpotRelaxation<'_, '_> {
                 respond(self.problem, (&self.twist, 0.0), &mut self.contacts, &on_cones(self.problem));
             let step = self.factors.solve(&response.left);
             let size = step.norm();
-            // If the steps keep shrinking by the same ratio, the estimated remaining displacement is `whole` times this step. Growing steps give no
-            // estimate; they occur where the object moves away from an unstable equilibrium.
+            // The last step, of length `step_factor * before`, reduced the norm of T⁻¹R from `before` to `size`. If the norm keeps falling at this
+            // rate, it is zero after the displacement `whole * size`. A growing norm gives no estimate; it grows where the object moves away from an
+            // unstable equilibrium.
             let (mut whole, mut next) = (f64::INFINITY, 1.0);
             if let Some(last) = &self.last {
                 let before = last.norm();

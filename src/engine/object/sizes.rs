@@ -1,4 +1,5 @@
-//! Sizes of forces, N, and of displacements, m, to which their rounding errors are proportional.
+//! Rounding scales of forces, N, and of displacements, m. The rounding scale of a value is the number to which its rounding error is proportional: as
+//! a rule the largest of the terms that it is computed from. Code names call it `size` or, for the terms of a stretch, `span`.
 
 use crate::numerics::{IntoList, Vector};
 use nalgebra::SVector;
@@ -11,15 +12,15 @@ use crate::contact::SpringState;
 use crate::grasp::Site;
 use crate::prelude::*;
 
-/// The least force, N, that the displacements of a contact could cause in its softest spring; forces far below it are mere rounding. For each contact
-/// this force is the stiffness of its softest spring times its entry of `spans`, m, the size of its displacements. Returns the minimum over the
-/// contacts.
+/// The least force, N, that the displacements of a contact could cause in its softest spring. For each contact this force is the stiffness of its
+/// softest spring times its entry of `spans`, m, an upper bound of its displacements. Returns the minimum over the contacts. A computed force far
+/// below it is a rounding error, left where larger spring forces cancel.
 pub(crate) fn least_spring_force(sites: &[Site], spans: impl Iterator<Item = f64>) -> f64 {
     sites.iter().zip(spans).map(|(site, span)| site.springs.softest() * span).fold(f64::INFINITY, f64::min)
 }
 
-/// The largest of the norm `load` and the sizes `forces` of contact forces, N, but at least [`NO_FORCE`] (1e-25) times [`least_spring_force`].
-/// Without this lower bound, forces that are rounding errors would be compared with other rounding errors.
+/// The largest of the norm `load` of the load and the norms `forces` of contact forces, N, but at least [`NO_FORCE`] (1e-25) times
+/// [`least_spring_force`]. If all exact forces are zero, the computed norms are rounding errors, and only the lower bound is a rounding scale.
 pub(crate) fn largest_force(
     sites: &[Site],
     offsets: &[SVector<f64, 3>],
@@ -45,8 +46,8 @@ impl Problem<'_> {
         largest_force(self.sites, &self.offsets, twist, self.wrench.norm(), sizes)
     }
 
-    /// For each contact the size, N, to which the rounding error of its force in `state` is proportional. `offsets` are the spring offsets of the
-    /// contacts, m, and `load` is the norm of the load, N.
+    /// For each contact the rounding scale of its force in the solution `state`, N. `offsets` are the spring offsets of the contacts, m, and `load`
+    /// is the norm of the load, N.
     pub(crate) fn force_sizes(
         &self,
         offsets: &[SVector<f64, 3>],
@@ -61,27 +62,28 @@ impl Problem<'_> {
         sites.map(|((local, force), span)| local.force_size(force, span, largest)).list()
     }
 
-    /// Size, m, to which the rounding error of a twist is proportional: the norm of the twist, plus the stretch of the stiffest spring under the
-    /// force `largest`, N. The norm alone would not do: if opposite commands cancel, the twist is zero although it has a rounding error.
+    /// The rounding scale of a twist, m: the norm of the twist, plus the stretch of the stiffest spring under the force `largest`, N. The norm alone
+    /// is not enough: if opposite commands cancel, the exact twist is zero, but the computed twist still has a rounding error.
     pub(crate) fn size_of_motion(&self, twist: &Vector, largest: f64) -> f64 {
         twist.norm() + self.least_stretch(largest)
     }
 
-    /// Stretch of the stiffest spring under the force `largest`, m. A smaller displacement may be the rounding error of larger displacements that
-    /// cancel.
+    /// Stretch of the stiffest spring under the force `largest`, m: a lower bound of the rounding scale of displacements. Forces have rounding errors
+    /// of about ε times `largest`, with the machine precision ε. Even in the stiffest spring such an error causes a displacement of ε times this
+    /// stretch.
     pub(crate) fn least_stretch(&self, largest: f64) -> f64 {
         largest / self.sites.iter().fold(0.0, |most: f64, site| most.max(site.springs.stiffest()))
     }
 
-    /// Upper bound of the terms `a_i` and `G_iᵀq` of the stretch of a contact, m. a_i is its offset (command minus clearance and slip), G_i its grasp
-    /// map, and q the twist. The rounding error of this stretch is proportional to the bound.
+    /// The rounding scale of the stretch `a_i - G_iᵀq` of a contact, m: an upper bound of both terms. a_i is its offset (command minus clearance and
+    /// slip), G_i its grasp map, and q the twist.
     #[inline]
     pub(crate) fn span(&self, contact: usize, twist: &Vector) -> f64 {
         self.sites[contact].span(&self.offsets[contact], twist)
     }
 
-    /// Stretch and force of a contact, each with the size to which its rounding error is proportional; `largest` is the largest force of the grasp,
-    /// N. The inequalities that the contact's state must satisfy are evaluated from these values.
+    /// Stretch and force of a contact, each with its rounding scale; `largest` is the largest force of the grasp, N. The inequalities that the
+    /// contact's state must satisfy are evaluated from these values.
     pub(crate) fn at<'s>(
         &self,
         contact: usize,
@@ -92,8 +94,8 @@ impl Problem<'_> {
         self.at_moved((contact, force), twist, self.size_of_motion(twist, largest), largest)
     }
 
-    /// Stretch and force of a contact as for [`Self::at`]. The caller has computed the size `norm` of the twist, m, once for all contacts
-    /// ([`Self::size_of_motion`]).
+    /// Stretch and force of a contact, each with its rounding scale. `norm` is the rounding scale of the twist, m ([`Self::size_of_motion`]), which
+    /// the caller computes once for all contacts. `largest` is the largest force of the grasp, N.
     #[inline]
     pub(crate) fn at_moved<'s>(
         &self,

@@ -1,9 +1,9 @@
 //! Contact forces and twist that solve the linear problem of a [`LinearProblem`], accurate to the last digits.
 //!
-//! Spring r of contact i is stretched along a vector s_r, pushes along p_r and has the scaled force x_r (see `linear_problem`). The offset a_i of
-//! contact i is its commanded displacement minus clearance and slip. G_i is the grasp map, q the twist and W the load. Each spring has a residual
-//! e_r, and equilibrium has a residual ρ. They are evaluated in twice the working precision, and the linear problem is solved for them again
-//! (iterative refinement):
+//! Spring r of contact i is stretched along a vector s_r and pushes along p_r; each vector contains the square root of the spring's stiffness. x_r is
+//! the scaled spring force: the force divided by this root. The offset a_i of contact i is its commanded displacement minus clearance and slip. G_i
+//! is the grasp map, q the twist and W the load. Each spring has a residual e_r, and equilibrium has a residual ρ. They are evaluated in twice the
+//! working precision, and the linear problem is solved for them again (iterative refinement):
 //!
 //! ```text
 //! e_r = s_r · (a_i - G_iᵀ q) - x_r,      ρ = Σ G_i p_r x_r + W
@@ -37,7 +37,7 @@ impl Default for ForcesAndTwist {
     }
 }
 
-/// Memory that repeated solves reuse: the scaled spring forces `x`, and their corrections `change` in a refinement step.
+/// Scratch buffers that repeated solves use again: the scaled spring forces `x`, and their corrections `change` in a refinement step.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct SolutionMemory {
     x: Vec<f64>,
@@ -66,7 +66,8 @@ impl LinearProblem {
         Ok(state)
     }
 
-    /// [`Self::solve`] in reused memory: the solution is written to `state`.
+    /// Contact forces and the twist of least norm under these offsets and this load, written to `state`, with scratch buffers `memory`.
+    /// [`Unbalanced`] if no forces balance the load.
     pub(crate) fn solve_into(
         &self,
         sites: &[Site],
@@ -85,8 +86,8 @@ impl LinearProblem {
             }
             let mut twist = PreciseTwist::new(self.size(), band.respond(x, &load.wrench));
             let respond = |x: &mut [f64], rest: &Vector| band.respond(x, rest);
-            // With band factors each correction is a constant fraction of the one before, and this fraction need not be small. Refinement therefore
-            // continues until a correction is at most this fraction of the largest force.
+            // With band factors each correction is a constant part of the one before, and this part need not be small. Refinement therefore continues
+            // until a correction is at most 1e-15 of the largest force.
             if self.refine(sites, (offsets, load), (x, change, &mut twist), (respond, 1e-15)) {
                 state.twist = without(twist.value(), &self.free);
                 self.forces_into(&mut state.forces, x, offsets.len());
@@ -148,15 +149,15 @@ impl LinearProblem {
         false
     }
 
-    /// [`Self::solve`] without refinement, for a [`LinearProblem`] in which all contacts stick and springs resist every motion. The object is moved
-    /// twice until forces balance: the second time removes the rounding error of the first. An error of a few roundings of the largest force remains.
+    /// Contact forces and twist without iterative refinement, if all contacts stick and springs resist every motion. The object is moved twice until
+    /// forces balance: the second motion removes the rounding error of the first. Forces are then wrong by a few roundings of the largest force.
     pub(crate) fn solve_roughly(&self, offsets: &[SVector<f64, 3>], wrench: &Vector) -> ForcesAndTwist {
         let mut state = ForcesAndTwist::default();
         self.solve_roughly_into(offsets, wrench, (&mut SolutionMemory::default(), &mut state));
         state
     }
 
-    /// [`Self::solve_roughly`] in reused memory: the solution is written to `state`.
+    /// Contact forces and twist without iterative refinement ([`Self::solve_roughly`]), written to `state`, with a scratch buffer.
     pub(crate) fn solve_roughly_into(
         &self,
         offsets: &[SVector<f64, 3>],

@@ -6,7 +6,8 @@
 //! ```
 //!
 //! The forces are corrected, not recomputed from the twist: the force of a very stiff spring follows from equilibrium, not from its tiny stretch.
-//! After a step R is mere rounding, so that a few steps give the last digits if T is regular. For a singular T see [`super::LinearProblem`].
+//! After a step R is mere rounding, so that a few steps give the last digits if T is regular. If T is singular, orthogonal factors of spring
+//! stretches and push directions find the motions that springs do not resist ([`super::LinearProblem`]).
 
 use crate::numerics::{Each, Factors, PartialPivoting, Square, Vector, in_halves};
 use core::ops::Range;

@@ -12,15 +12,16 @@ pub(super) const NO_WORK: f64 = 1e-13;
 /// Contact forces below this fraction of a spring force count as rounding errors. The spring force is the force that the displacements of the
 /// contacts could cause in their springs. In a statically determinate grasp without a load, commands move the object, but the exact contact forces
 /// are zero. The computed forces result from three projections of the spring force onto forces in balance. Each projection leaves a fraction of about
-/// 1e-15, so about 1e-45 of the spring force remains. Relative errors of forces are therefore measured against at least this fraction of the spring
-/// force.
+/// 1e-15, so about 1e-45 of the spring force remains, far below 1e-25. The error of such a force is as large as the force. The errors of forces are
+/// therefore divided by at least this fraction of the spring force, not by the forces alone.
 ///
 /// If smaller, rounding errors are taken as forces; if larger, small forces are taken as zero if displacements are large.
 pub(crate) const NO_FORCE: f64 = 1e-25;
 
-/// Iterative refinement ends once a correction changes no spring force by more than this fraction of the largest force: the next correction
-/// would be smaller by about the same factor. If the tangent stiffness is factorised as a band matrix, only the first correction is compared with
-/// this fraction. Later corrections must then be at most 1e-15 of the largest force, since each is only a constant fraction of the one before.
+/// Iterative refinement ends once a correction changes no spring force by more than this fraction of the largest force. If another correction
+/// followed, it would be smaller by about the same factor, 1e-8, and thus below the rounding of forces. If the tangent stiffness is factorised as a
+/// band matrix, only the first correction is compared with this fraction. A later correction need not be small relative to the one before it, so it
+/// must be at most 1e-15 of the largest force.
 ///
 /// If smaller, well-conditioned problems take another correction; if larger, forces miss digits that one more correction would give.
 pub(super) const NEARLY_CORRECTED: f64 = 1e-8;

@@ -33,8 +33,8 @@ use crate::prelude::*;
 struct GivenLimits {
     contacts: Vec<Limited>,
     limits: Vec<f64>,
-    /// For each contact, one after the other, the coordinates that move it. An entry has the position of a coordinate in the order `numbers`, and the
-    /// displacement of the contact per unit of this coordinate, in its contact frame.
+    /// For each contact in turn, the coordinates that move it. An entry has the position of a coordinate in the order `numbers`, and the displacement
+    /// of the contact per unit of this coordinate, in its contact frame.
     coupled: Vec<(usize, SVector<f64, 3>)>,
     /// Position of each coordinate in an order in which the stiffness matrix is a narrow band.
     numbers: Vec<usize>,
@@ -50,9 +50,9 @@ struct ContactResponses {
     imbalance: Vec<f64>,
 }
 
-/// Proposed contact states on polygonal friction cones or in the plane. As a rule forces nearly balance in these states, and friction limits nearly
-/// agree with the normal forces. `None` with fewer than 36 coordinates, too few for a band matrix ([`uses_band`]). Also `None` if nothing resists
-/// some motion, or if a contact has infinite friction and may open.
+/// Proposed contact states on polygonal friction cones or in the plane. As a rule forces nearly balance in these contact states, and friction limits
+/// nearly agree with the normal forces. `None` with fewer than 36 coordinates, too few for a band matrix ([`uses_band`]). Also `None` if nothing
+/// resists some motion, or if a contact has infinite friction and may open.
 pub(crate) fn states_by_tresca(problem: &Problem<'_>) -> Option<Vec<State>> {
     if !uses_band(problem.size()) {
         return None;
@@ -178,14 +178,14 @@ impl GivenLimits {
         // first, and at least 1e-4 at the start of later rounds. In the first round Newton's method ends at a hundredth of the initial imbalance.
         let (mut kept, mut enough) = (0.5, 1e-2 * size);
         let mut states: Vec<Mode<u16>> = Vec::new();
-        // Rounds of the iteration, each with the friction limits from the normal forces of earlier rounds.
+        // In each round the friction limits follow from the normal forces of earlier rounds.
         for round in 0..30 {
             answers = self.least_energy(&mut q, (&mut kept, enough))?;
             let next = self.limits_of(&answers.of);
             let change: Vec<f64> = paired(&next, &self.limits, &|(next, last)| next - last);
             let change = norm(&change) / norm(&next).max(f64::MIN_POSITIVE);
             let last = core::mem::replace(&mut states, mapped(&answers.of, &|answer| answer.state));
-            // The rounds end when friction limits change by less than this fraction and no contact changes its state.
+            // The rounds end when friction limits change by at most the fraction 1e-4 and no contact changes its state.
             if last == states && change <= 1e-4 {
                 break;
             }

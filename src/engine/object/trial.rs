@@ -14,8 +14,8 @@ impl Problem<'_> {
     pub(crate) fn trial(&self) -> Arc<LinearProblem> {
         let make = || LinearProblem::new(self, &self.trial_states());
         match self.trial {
-            // Only grasps with few contacts and drives keep these factors, since they take memory, and searches are most often repeated for
-            // small grasps.
+            // Only grasps with few contacts and drives keep these factors: the storage grows with the number of contacts, and searches are most often
+            // repeated for small grasps.
             Some(kept) if self.len() <= 256 => kept.get(make),
             _ => Arc::new(make()),
         }
