@@ -1,7 +1,5 @@
 //! Proofs that a grasp has no equilibrium under a load. Each proof rests on virtual motions of the object: along them the load does more positive
-//! work than contact forces can do negative work.
-//!
-//! The proofs do not solve for the forces of all combinations of contact states; the search for such solutions is in `search`.
+//! work than contact forces can do negative work. No proof has to compute the forces in every combination of contact states.
 //!
 //! | file | idea |
 //! |---|---|

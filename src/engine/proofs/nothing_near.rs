@@ -26,10 +26,10 @@ use crate::numerics::{Vector, increasing, mapped, summed, total, unit};
 use crate::object::Problem;
 use crate::prelude::*;
 
-/// Returns a radius ρ, m, such that no equilibrium exists at motions `q* + δ` of the object with δ within this radius. Within the radius, δ moves the
-/// centroid of the contacts by at most ρ. It turns the object by at most ρ divided by the root mean square distance of the contacts from the
-/// centroid, and moves each further coordinate by at most ρ. q* is the argument `at`, and `motion` is the virtual motion v. Infinite if it is proved
-/// that no equilibrium exists at all; `None` if nothing is proved even at q*.
+/// Returns a radius ρ, m, such that no equilibrium exists at motions `q* + δ` of the object with |δ| <= ρ. Such a δ moves the centroid of the
+/// contacts by at most ρ. It turns the object by at most ρ divided by the root mean square distance of the contacts from the centroid, and moves each
+/// further coordinate by at most ρ. q* is the argument `at`, and `motion` is the virtual motion v. Infinite if it is proved that no equilibrium
+/// exists at all; `None` if nothing is proved even at q*.
 pub(crate) fn nothing_near(problem: &Problem, at: &Vector, motion: &Vector) -> Option<f64> {
     let work = motion.dot(&problem.wrench);
     let mut size = motion.norm() * problem.wrench.norm();
@@ -48,9 +48,8 @@ pub(crate) fn nothing_near(problem: &Problem, at: &Vector, motion: &Vector) -> O
                 if largest_product > 0.0 {
                     openings.push((stretch[0].max(0.0) / largest_product, c * largest_product));
                 }
-                // The bound h (see the top of the file) has a negative term for a contact that is open at the motion `at`. This term is cancelled
-                // here, since an open contact does no negative work there. If another motion closes the contact, its negative work is at most c times
-                // the distance by which it closes.
+                // `terms` below is negative for a contact that is open at the motion `at`. It is cancelled here, since an open contact does no
+                // negative work there. If another motion closes the contact, its negative work is at most c times the distance by which it closes.
                 resisted += c * (-stretch[0]).max(0.0);
                 (c * stretch[0], unit::<3>(0) * c)
             }
@@ -60,7 +59,8 @@ pub(crate) fn nothing_near(problem: &Problem, at: &Vector, motion: &Vector) -> O
         site.map.push(&row, &mut slope);
         size += row.norm() * site.span(&problem.offsets[i], at);
     }
-    // Bound of the rounding error of a sum, relative to the sum of the sizes of its terms. It includes the rounding of products and grasp maps.
+    // Bound of the rounding error of a sum, relative to the sum of the absolute values of its terms. It includes the rounding of products and grasp
+    // maps.
     let rounding = 64.0 * f64::EPSILON * (problem.len() as f64).max(8.0);
     let mut left = work - resisted - rounding * size;
     if left <= 0.0 {
@@ -79,8 +79,9 @@ pub(crate) fn nothing_near(problem: &Problem, at: &Vector, motion: &Vector) -> O
     Some((rho + left / growth) * (1.0 - rounding))
 }
 
-/// The largest scalar product of `row`, a wrench, with a displacement δ within the radius ρ = 1, see [`nothing_near`]. It is the sum of the norms of
-/// the force and moment parts of `row` and of the sizes of all other entries.
+/// The largest scalar product `row·δ` of a wrench with the displacements |δ| <= 1. The norm |δ| is the largest of three numbers: the norms of its
+/// translation and of its rotation, and the largest absolute value of the further entries. The maximum is therefore the sum of the norms of the force
+/// and of the moment of `row` and of the absolute values of its further entries.
 fn largest_product(space: Space, row: &Vector) -> f64 {
     let (axes, object) = (space.axes(), space.of_the_object());
     let part = |from: usize, to: usize| total(to - from, &|k| row[from + k] * row[from + k]).sqrt();

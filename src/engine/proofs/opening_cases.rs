@@ -1,5 +1,5 @@
-//! A proof that no equilibrium exists beyond a load, for contacts that have too many combinations of states to try them all. Each choice of open
-//! contacts leaves a convex problem.
+//! A proof that no equilibrium exists beyond a load, if the contacts have too many combinations of contact states to try them all. For each choice of
+//! open contacts the remaining conditions are convex.
 //!
 //! With the closed contacts chosen, contact forces F_i that balance the load W exist only if there are a motion q and friction forces with
 //!
@@ -23,12 +23,12 @@ use crate::numerics::{Vector, chosen, every_index, largest, unit};
 use crate::object::Problem;
 use crate::prelude::*;
 
-/// Whether it is proved that contact forces balance no load on a line of loads. The line leads from the load of the problem `here` to that of the
-/// problem `past`, slightly farther on the load path. Loads within the fraction 1e-6 of the start of the line are not included.
+/// True if it is proved that contact forces balance no load on a line of loads. The line leads from the load of the problem `here` to that of the
+/// problem `past`, slightly farther on the load path. The first millionth of the line is excepted.
 pub(crate) fn nothing_holds(here: &Problem, past: &Problem) -> bool {
     let free: Vec<usize> = chosen(here.len(), &|&i| here.local(i).may_open());
     let whole = !here.locals().any(|local| local.is_absent() || local.is_on_an_edge());
-    // If n contacts may open, there are 2ⁿ choices of open contacts. For n > 8 trying all of them would take too long.
+    // If n contacts may open, there are 2ⁿ choices of open contacts. For n > 8 it takes too long to try all of them.
     whole
         && free.len() <= 8
         && every_index(1_usize << free.len(), &|choice| {

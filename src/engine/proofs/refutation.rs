@@ -1,16 +1,16 @@
 //! A proof that no equilibrium exists on the round cone, case by case, as a certificate that can be checked.
 //!
-//! The states of the contacts are divided into cases, one contact at a time, until each case is contradicted. A label restricts the state of a
-//! contact, or the direction of its friction; a case gives every contact a label. A contradiction of a case is a virtual motion y of the object with
-//! virtual contact forces φ_i that balance one another, `Σ G_i φ_i = 0`. Contact i has the grasp map G_i, the offset a_i (commanded displacement
-//! minus clearance and slip) and the force F_i. Its stretch at the twist q is `v_i = a_i - G_iᵀq`. In an equilibrium under the load W
+//! The contact states are divided into cases, one contact at a time, until each case is contradicted. A label restricts the state of a contact, or
+//! the direction of its friction; a case gives every contact a label. A contradiction of a case is a virtual motion y of the object with virtual
+//! contact forces φ_i that balance one another, `Σ G_i φ_i = 0`. Contact i has the grasp map G_i, the offset a_i (commanded displacement minus
+//! clearance and slip) and the force F_i. Its stretch at the twist q is `v_i = a_i - G_iᵀq`. If there were an equilibrium under the load W,
 //!
 //! ```text
 //! Σ (φ_i·v_i + (G_iᵀy)·F_i)  =  Σ φ_i·a_i - y·W  >  0
 //! ```
 //!
-//! would hold for every q; the check of a certificate verifies that the right side is positive. If, under the labels of the case, no contact's term
-//! on the left side can be positive, the case has no equilibrium. In the elastic trial state every contact sticks.
+//! would hold at its twist q; the check of a certificate verifies that the right side is positive. If, under the labels of the case, no contact's
+//! term on the left side can be positive, the case has no equilibrium. The elastic trial is the solution in which every contact sticks.
 
 use crate::numerics::{IntoList, Vector};
 use nalgebra::SVector;
@@ -25,16 +25,16 @@ use crate::prelude::*;
 /// all steps of its second case, then by all steps of its first case.
 #[derive(Debug, Clone)]
 pub(crate) enum ProofStep {
-    /// The present case is divided into two. In each case the label of this contact, which restricts its state, is one of the `halves`. Together the
-    /// halves allow all states that the contact's label allowed before.
+    /// The present case is divided into two. In each case the label of this contact, which restricts its state, is one of the `halves`. Together both
+    /// labels allow every contact state that the contact's label allowed before.
     Divided { contact: usize, halves: [Label; 2] },
     /// The present case is contradicted by a virtual motion and virtual forces.
     Contradicted { motion: Vector, forces: Vec<SVector<f64, 3>> },
 }
 
-/// Checks a proof that no equilibrium exists, without searching. The proof may miss an equilibrium because of rounding. Returns a lower bound of the
-/// ratio of the size of such an equilibrium to the size of the elastic trial state. A size is the norm of stretches and forces in energy units (√J).
-/// `None` if the steps omit a case or do not contradict it, or if the lower bound is below [`ESCAPE`].
+/// Checks a proof that no equilibrium exists, without searching. The proof may miss an equilibrium because of rounding. Returns a lower bound of a
+/// ratio: the norm of stretches and forces of such an equilibrium, in energy units (√J), divided by that norm of the elastic trial. `None` if the
+/// steps omit a case or do not contradict it, or if the lower bound is below [`ESCAPE`].
 pub(crate) fn check(problem: &Problem, steps: &[ProofStep]) -> Option<f64> {
     let trial = problem.trial();
     let state = trial.solve(problem.sites, &problem.offsets, problem.load()).ok()?;
@@ -65,13 +65,13 @@ pub(crate) fn check(problem: &Problem, steps: &[ProofStep]) -> Option<f64> {
     (open.is_empty() && least >= ESCAPE).then_some(least)
 }
 
-/// Searches for a proof, with a single case, that no equilibrium exists with the given offsets and load. Returns the same lower bound as [`check`]:
-/// how many times larger than the elastic trial state an equilibrium that rounding hides must be. `None` without a proof.
+/// Searches for a proof, with a single case, that no equilibrium exists with the given offsets and load. Returns a lower bound of the ratio by which
+/// an equilibrium that rounding hides must exceed the elastic trial (in the norm, √J, of stretches and forces). `None` without a proof.
 ///
-/// In a rate problem (for derivatives along a load path), all contacts that may slide or open are assumed to do so. The tangent stiffness `Σ G_i C_i
-/// G_iᵀ` of the object may then be singular; C_i is the tangent stiffness and G_i the grasp map of contact i. A left null vector is a virtual motion
-/// y for which the virtual forces `-C_iᵀG_iᵀy` balance one another. A proof in the assumed states holds for all contact states, since in no other
-/// state do the contacts do more negative work along y.
+/// In a rate problem (for derivatives along a load path), all contacts that may slide or open are assumed to do so. The tangent stiffness
+/// `Σ G_i C_i G_iᵀ` of the object may then be singular; C_i is the tangent stiffness and G_i the grasp map of contact i. A left null vector is a
+/// virtual motion y for which the virtual forces `-C_iᵀG_iᵀy` balance one another. [`check`] verifies the proof for all contact states, not only for
+/// the assumed ones.
 pub(crate) fn yields(problem: &Problem) -> Option<f64> {
     let states = problem.yielding();
     let motion =
@@ -86,8 +86,8 @@ pub(crate) fn yields(problem: &Problem) -> Option<f64> {
     [-1.0, 1.0].into_iter().find_map(|sign| check(problem, &[step(sign)]))
 }
 
-/// Rounding may hide an equilibrium from the contradiction of a case. Returns the least size of such an equilibrium: the norm, in √J, of the
-/// stretches and forces of all contacts together. `None` if there is no contradiction.
+/// Rounding may hide an equilibrium from the contradiction of a case. Returns a lower bound of the norm of such an equilibrium: the norm, in √J, of
+/// the stretches and forces of all contacts together. `None` if there is no contradiction.
 fn escape(problem: &Problem, labels: &[Label], motion: &Vector, forces: &[SVector<f64, 3>]) -> Option<f64> {
     if forces.len() != problem.len() {
         return None;
@@ -105,9 +105,8 @@ fn escape(problem: &Problem, labels: &[Label], motion: &Vector, forces: &[SVecto
         size += 2.0 * (local.springs.stored(phi) + local.springs.stored(&pushed));
         worst = worst.max(local.most_work(&labels[i], phi, &u));
     }
-    // Tolerance of the imbalance of virtual forces. It is a fraction of the sizes of their wrenches and of the wrenches of the spring forces that the
-    // virtual motion would cause. An imbalance below it hides an equilibrium only if the motion in this equilibrium is larger than the elastic trial
-    // state by a factor of 1e13.
+    // The imbalance of virtual forces may be 1e-13 of a sum of norms: those of their wrenches, and those of the wrenches of the spring forces along
+    // the virtual motion. Such an imbalance hides an equilibrium only if its motion is 1e13 times as large as that of the elastic trial.
     let is_balanced = unbalanced.norm() <= 1e-13 * balanced_size;
     (is_balanced && gain > 0.0).then(|| gain / worst.max(LEAST_WORK * size.sqrt()))
 }

@@ -25,8 +25,8 @@ use crate::numerics::{
 use crate::object::Problem;
 use crate::prelude::*;
 
-/// The round friction cone of a contact, or one generator (edge ray) of a cone that is not round, as a part of the augmented Lagrangian. It responds
-/// to a motion with a force.
+/// The round friction cone of a contact, or one generator of a cone that is not round (a ray through a corner, or the ray of a one-dimensional cone).
+/// In the augmented Lagrangian it responds to a motion with a force.
 struct PenalisedCone {
     /// The coordinates that move the contact. Each has its position in the order of elimination, and its row of the contact's grasp map. The grasp
     /// map is scaled so that a unit force along the first axis has a wrench of length one.
@@ -105,8 +105,8 @@ pub(super) fn residual_of_many(problem: &Problem, is_proof: &dyn Fn(&Vector) -> 
         let least = 1e-14;
         let enough = if proof.is_some() { least } else { (1e-3 / pushed.penalty).max(least) };
         let Some(left) = pushed.round(&mut v, enough) else { break };
-        // A residual (the part of the load that no contact forces balance) below this fraction of the load is taken as zero. The first round may end
-        // with an imbalance of 1e-4 of the load (1e-3 / ρ), which is larger: it decides nothing, and later rounds are more accurate.
+        // If admissible forces balance the load up to the fraction 1e-5, the load counts as balanced. A round may end with an imbalance of 1e-3 / ρ,
+        // which is 1e-4 in the first round. As ρ grows, later rounds recognise a balanced load that the first did not.
         if left < 1e-5 {
             return Residual::Nothing;
         }
@@ -115,7 +115,7 @@ pub(super) fn residual_of_many(problem: &Problem, is_proof: &dyn Fn(&Vector) -> 
             proof = Some(motion);
         }
         clearer += usize::from(proof.is_some());
-        // The penalty ρ grows tenfold in each round, up to this value. With a larger ρ the Newton steps would lose too many digits.
+        // The penalty ρ grows tenfold in each round, up to 1e8. With a larger ρ the Newton steps lose too many digits.
         if pushed.penalty < 1e8 {
             pushed.penalty *= 10.0;
         } else {

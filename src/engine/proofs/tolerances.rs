@@ -6,8 +6,8 @@
 /// If smaller, proofs of no equilibrium are accepted that are mere rounding; if larger, clear proofs are refused.
 pub(crate) const ESCAPE: f64 = 1e4;
 
-/// Size of the rounding error in the work of a generator (a unit wrench on the edge of a friction cone) along a unit motion. If the computed negative
-/// work of all generators is smaller, it is taken as this number.
+/// Rounding error in the work of a generator (a unit wrench on the boundary of a friction cone) along a unit motion. If the computed negative work of
+/// all generators is smaller, it is taken as this number.
 ///
 /// If smaller, rounded work makes contradictions seem clear; if larger, clear contradictions are refused.
 pub(crate) const LEAST_WORK: f64 = 1e-15;
@@ -18,6 +18,6 @@ pub(crate) const LEAST_WORK: f64 = 1e-15;
 /// If smaller, a load on the boundary seems to lie outside the cone of contact forces; if larger, true proofs are refused.
 pub(super) const CLEAR_RESIDUAL: f64 = 1e-9;
 
-/// Above this number of coordinates the search for the admissible forces nearest to the load (`wrench_cone`) uses at most 200 generators. The time
-/// for each generator grows with the square of the number of coordinates, so more generators would take seconds.
+/// Above this number of coordinates the search for the admissible forces nearest to the load (`wrench_cone`) adds at most 200 generators. The time
+/// for each generator grows with the square of the number of coordinates; a search with more generators takes seconds.
 pub(super) const MOST_COORDINATES: usize = 600;

@@ -27,7 +27,7 @@ use crate::numerics::{IntoList, NearestPoint, Size, Vector, unit};
 use crate::object::{Problem, uses_band};
 use crate::prelude::*;
 
-/// A force on the edge of one contact's cone (a generator), scaled so that its wrench has length one.
+/// A force on the boundary of one contact's cone (a generator), scaled so that its wrench has length one.
 #[derive(Debug, Clone)]
 pub(crate) struct Generator {
     pub(crate) contact: usize,
@@ -44,8 +44,8 @@ impl Generator {
     }
 
     /// Negative work of the generator, a unit wrench, along a motion, divided by the share of the normal component in its contact force. With large
-    /// friction this share is small. Contacts can then exert a large multiple of the generator with a small normal force, so that even little
-    /// negative work along the motion would refute the proof that the load is unbalanced.
+    /// friction this share is small. A contact can then exert a large multiple of the generator with a small normal force. Even little negative work
+    /// of the generator therefore weakens the proof that the load is unbalanced.
     fn works_against(&self, motion: &Vector) -> f64 {
         let normal = self.force[0] / self.force.norm();
         -self.wrench.dot(motion) / if normal > 0.0 { normal } else { 1.0 }
@@ -77,8 +77,8 @@ pub(crate) fn nearest_forces(
     // `straight`.
     let mut joined: Vec<Generator> = Vec::new();
     // Upper limit of the number of generators that are added: two hundred, and four more for each coordinate of a motion; above `MOST_COORDINATES`
-    // coordinates only two hundred. The limit is rarely reached. It is reached if the target is near the boundary of the sum of all round cones: each
-    // new generator then reduces the distance from the target only by a constant factor.
+    // coordinates only two hundred. The limit is reached only if the target is near the boundary of the sum of all round cones: each new generator
+    // then reduces the distance from the target only by a constant factor.
     let each = if size.count() <= MOST_COORDINATES { 4 } else { 0 };
     let mut joins_left = 200 + each * size.count();
     let (motion, negative_work) = loop {
@@ -93,8 +93,7 @@ pub(crate) fn nearest_forces(
             }
         }
         let Some((tag, generator, work)) = worst else { break (v, 0.0) };
-        // A generator is added only if its negative work along the residual exceeds this fraction of the norm of the residual; smaller work is
-        // rounding.
+        // A generator is added only if its negative work along the residual exceeds 1e-13 of the norm of the residual; smaller work is rounding.
         let joins = work < -1e-13 * v.norm() && v.norm() > CLEAR_RESIDUAL && !nearest.has(tag);
         if !joins
             || joins_left == 0
@@ -118,8 +117,9 @@ struct LoadAndCones<'p, 'g> {
     problem: &'p Problem<'g>,
     straight: Vec<Generator>,
     load: f64,
-    /// The size of load and commands: the norm of the load, plus the size of the forces with which the fingers squeeze. A proof that the load is
-    /// unbalanced is accepted only if an equilibrium that rounding hides from it would have forces of at least [`ESCAPE`] (1e4) times this size.
+    /// The magnitude of load and commands, N: the norm of the load, plus the norms of the springs' wrenches while the commands act and the object
+    /// does not move. A proof that the load is unbalanced is accepted only if rounding can hide from it only an equilibrium with forces of at least
+    /// [`ESCAPE`] (1e4) times this magnitude.
     data: f64,
 }
 
@@ -132,7 +132,7 @@ impl<'p, 'g> LoadAndCones<'p, 'g> {
     }
 
     /// The part of the load that the nearest admissible contact forces leave unbalanced, as a unit motion. `None` unless this motion separates the
-    /// load from all admissible forces, clearly beyond rounding (see [`Self::is_proof`]).
+    /// load from all admissible forces, clearly beyond rounding ([`Self::is_proof`]).
     fn separating_motion(&self) -> Option<Vector> {
         let target = -&self.problem.wrench / self.load;
         let round = |v: &Vector| round_generators(self.problem, v).list();
@@ -141,9 +141,9 @@ impl<'p, 'g> LoadAndCones<'p, 'g> {
         self.is_proof(&v).then(|| v.normalize())
     }
 
-    /// Whether the motion v separates the load from all admissible contact forces, clearly beyond rounding. The method that found v does not matter.
-    /// The norm of v must exceed the fraction [`CLEAR_RESIDUAL`] of the norm of the load. An equilibrium that rounding hides must have forces of at
-    /// least [`ESCAPE`] times load and commands.
+    /// True if the motion v separates the load from all admissible contact forces, clearly beyond rounding, whichever method found v. v is the
+    /// residual for the load scaled to length one, and its norm must exceed [`CLEAR_RESIDUAL`]. An equilibrium that rounding hides must have forces
+    /// of at least [`ESCAPE`] times load and commands.
     fn is_proof(&self, v: &Vector) -> bool {
         let mut negative_work = 0.0_f64;
         self.straight.iter().for_each(|g| negative_work = negative_work.max(g.works_against(v)));
@@ -177,7 +177,7 @@ pub(crate) fn separating_motion(problem: &Problem) -> Option<Vector> {
     }
 }
 
-/// The size of the squeezing forces: the sum of the norms of the springs' wrenches while the commands act and the object does not move.
+/// A measure of the squeeze, N: the sum of the norms of the springs' wrenches while the commands act and the object does not move.
 fn squeeze(problem: &Problem) -> f64 {
     let pushed =
         |(site, offset): (&Site, &SVector<f64, 3>)| site.map.pushed_norm(&site.springs.force(offset));
@@ -197,8 +197,8 @@ pub(crate) fn round_generators(problem: &Problem, v: &Vector) -> impl Iterator<I
 
 /// Whether a unit motion proves that no contact forces balance the load of `problem` once it grows in the direction `rate`.
 ///
-/// Three conditions make it a proof for any forces in any state. Along the motion, no admissible contact force does negative work, the load does no
-/// negative work, and the load's rate does positive work.
+/// Three conditions make it a proof for any forces in any contact states. Along the motion, no admissible contact force does negative work, the load
+/// does no negative work, and the load's rate does positive work.
 pub(crate) fn separates_from_here_on(problem: &Problem, motion: &Vector, rate: &Vector) -> bool {
     let Some(straight) = straight_generators(problem) else { return false };
     let all = straight.into_iter().chain(round_generators(problem, motion));
