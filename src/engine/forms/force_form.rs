@@ -1,9 +1,10 @@
-//! The force form (see [`super`]): forces as unknowns, compliances on the diagonal, the twist q of any sign.
+//! The force form of a grasp: a linear complementarity problem (LCP) `0 <= z ⟂ w = M z + q >= 0` whose unknowns z are contact forces, magnitudes of
+//! slips and the twist q of the object. The compliances of the springs are on the diagonal of its matrix.
 //!
-//! The unknowns of a linear complementarity problem (LCP) are not negative, so the twist is split into a positive and a negative part. A spring that
-//! both pushes and pulls needs no complementary pair: its force is linear in q. Such springs are those of bonded contacts, of contacts kept closed,
-//! and along tangents with infinite friction. A bonded contact neither opens nor slides; a contact kept closed may slide. A drive, the spring of a
-//! joint or tendon of a hand, is treated like a contact. The offset a of a spring is commanded displacement minus clearance.
+//! The unknowns of an LCP are not negative, so the twist is split into a positive and a negative part. A spring that both pushes and pulls needs no
+//! complementary pair: its force is linear in q. Such springs are those of bonded contacts, of contacts kept closed, and along tangents with infinite
+//! friction. A bonded contact neither opens nor slides; a contact kept closed may slide. A drive, the spring of a joint or tendon of a hand, is
+//! treated like a contact. The offset a of a spring is commanded displacement minus clearance.
 
 use nalgebra::{DMatrix, DVector, SVector};
 
@@ -14,8 +15,8 @@ use crate::numerics::{IntoList, Map, Square, Vector};
 use crate::object::Problem;
 use crate::prelude::*;
 
-/// The force form of a problem. `None` if a number overflows. `None` also if a contact is on the edge of its cone in a rate problem (for derivatives
-/// along a load path). The matrix would then not be copositive.
+/// The force form of a problem. `None` if a number overflows. `None` also if, in a rate problem (for derivatives along a load path), a contact is on
+/// the boundary of its cone (`edge` in code names). With such a contact the matrix is not copositive.
 pub(crate) fn force_form(problem: &Problem) -> Option<Form> {
     if problem.locals().any(|local| local.is_on_an_edge()) {
         return None;
@@ -70,8 +71,8 @@ pub(crate) fn force_states(problem: &Problem, form: &Form, basis: &Basis) -> Vec
         match *corners[contact] {
             _ if !pressed[contact] => Mode::Open,
             _ if !slips[contact] => local.trial_state(),
-            // In the plane each of the two facets has one corner, with the same index. In space two facets meet at a corner: a force at one corner
-            // slides there, and a force between two neighbouring corners slides on their common facet.
+            // In the plane each of the two facets has one corner, with the same index. In space two facets meet at a corner. A contact whose force is
+            // at one corner slides there. A contact whose force is between two neighbouring corners slides on the facet between them.
             [corner] if local.is_planar() => Mode::Facet(corner),
             _ if local.is_planar() => Mode::Open,
             [corner] => Mode::Corner(corner),
@@ -83,8 +84,8 @@ pub(crate) fn force_states(problem: &Problem, form: &Form, basis: &Basis) -> Vec
     problem.locals().enumerate().map(state).list()
 }
 
-/// For each component of the twist, the unit by which it is scaled: a motion by one unit stores a spring energy of order one. The unit is 1 if
-/// no spring resists the component.
+/// For each component of the twist, the unit by which it is scaled: a motion by one unit stores a spring energy of about 1 J. The unit is 1 if no
+/// spring resists the component.
 fn twist_units(problem: &Problem) -> Vector {
     let mut sums = Vector::all_zero(problem.size());
     for site in problem.sites {

@@ -1,5 +1,5 @@
-//! The kinematic form (see [`super`]). Its unknowns are jumps: the gaps and slips by which a solution differs from the elastic trial state, in which
-//! every contact sticks.
+//! The kinematic form of a grasp: a linear complementarity problem whose unknowns are jumps, the gaps and slips of the contacts. Its slacks are
+//! normal forces and friction margins. All jumps are zero in the elastic trial, the solution in which every contact sticks.
 //!
 //! The form needs the matrix P, the change of all contact forces per unit of a displacement at one contact while the object gives way. G is the grasp
 //! map of all contacts, and K the diagonal matrix of their stiffnesses. P is computed by orthogonal factors Q and R, whose accuracy does not depend
@@ -76,8 +76,8 @@ pub(crate) fn kinematic_form(
             trial.weighted_stretch(jumps[i].contact, &jumps[i].row, &displacements[j])
         });
     }
-    // Each jump (a gap or slip component) has a row and a column, see [`GapOrSlip`]. Both are multiplied here by the Qᵀ of the head of this file
-    // (K^{1/2}Gᵀ = Q R). The term Q Qᵀ of each matrix entry is then a dot product.
+    // Each jump (a gap or slip component ẑ) adds `column · ẑ` to the scaled contact forces x, and its slack is `row · x`. Both vectors are multiplied
+    // here by Qᵀ, with the orthogonal factor Q of K^{1/2}Gᵀ = Q R. The term with Q Qᵀ in each matrix entry is then a dot product.
     let mut transformed = Vec::with_capacity(jumps.len());
     for of_contact in jumps.chunk_by(|a, b| a.contact == b.contact) {
         let by_contact = trial.factor_rows(of_contact[0].contact);
@@ -93,9 +93,9 @@ pub(crate) fn kinematic_form(
 #[derive(Debug, Default)]
 pub(crate) struct UnitDisplacements(Vec<Option<Vec<Vec<f64>>>>);
 
-/// The kinematic form of the given contacts in a problem with many coordinates. All other contacts keep the states of the elastic trial `trial`.
-/// Displacements under jumps (gaps and slips) are taken from the list `known`, or computed and stored there. `None` if a number overflows or the
-/// factorisation fails.
+/// The kinematic form of the given contacts in a problem with many coordinates. All other contacts stick, as in the elastic trial `trial`, whose
+/// solution is `state`. Displacements under jumps (gaps and slips) are taken from the list `known`, or computed and stored there. `None` if a number
+/// overflows or there is no band matrix.
 pub(crate) fn kinematic_form_among(
     problem: &Problem,
     trial: &LinearProblem,
@@ -112,8 +112,8 @@ pub(crate) fn kinematic_form_among(
         if known[contact].is_none() {
             let mut displacements: Vec<Vec<f64>> = Vec::with_capacity(of_contact.len());
             for (k, jump) in of_contact.iter().enumerate() {
-                // Facets come in pairs of opposite normals; the displacements for a slip along one normal are those for the other with reversed
-                // sign.
+                // If two facets have opposite normals, the displacements under a slip along one normal are those under a slip along the other with
+                // reversed sign.
                 let opposite = of_contact[..k].iter().position(|other| other.column == -jump.column);
                 displacements.push(match opposite {
                     Some(other) => mapped(&displacements[other], &|x| -x),
@@ -160,8 +160,8 @@ fn form(
     Some(Form { lcp: Lcp::new(m, q).ok()?, rows, z_unit, w_unit })
 }
 
-/// The state of each contact, and of each drive of a joint or tendon, that a complementary basis of the kinematic form describes. Contacts without a
-/// pair in the form keep the state of the elastic trial.
+/// The state of each contact, and of each drive (the spring of a joint or tendon), that a complementary basis of the kinematic form describes.
+/// Contacts without a pair in the form keep their state in the elastic trial.
 pub(crate) fn kinematic_states(problem: &Problem, form: &Form, basis: &Basis) -> Vec<State> {
     let mut slipping: Vec<Vec<u16>> = vec![Vec::new(); problem.len()];
     let mut open = vec![false; problem.len()];

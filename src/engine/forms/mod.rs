@@ -6,8 +6,8 @@
 //! slip. K is the diagonal matrix of all stiffnesses, and G = [G_1 G_2 …]. The friction cone is a polygon with facet normals h_j and corners d_j
 //! ([`PolygonCone`](crate::PolygonCone)).
 //!
-//! **Kinematic form** ([`Grasp::kinematic_form`](crate::ask::Grasp::kinematic_form)). In the elastic trial state every contact sticks. One linear
-//! solve gives its twist q⁰ and its forces F⁰ = K (a - Gᵀq⁰), with Σ G_i F⁰_i + W = 0. The unknowns z are jumps from this state: gaps g, and the
+//! **Kinematic form** ([`Grasp::kinematic_form`](crate::ask::Grasp::kinematic_form)). The elastic trial is the solution in which every contact
+//! sticks. One linear solve gives its twist q⁰ and its forces F⁰ = K (a - Gᵀq⁰), with Σ G_i F⁰_i + W = 0. The unknowns z are jumps: gaps g, and the
 //! coefficients σ_j >= 0 of slips `s = Σ σ_j h_j`. The slacks w are normal forces and friction margins μ F_n - h_j·F_t. The matrix P gives the change
 //! of all contact forces per unit of a displacement at one contact, while the object gives way:
 //!
@@ -20,7 +20,7 @@
 //! vector z >= 0). With strong friction Lemke's method can therefore end on a ray although an equilibrium exists: a ray proves nothing.
 //!
 //! **Force form** ([`Grasp::force_form`](crate::ask::Grasp::force_form)). Forces are the unknowns, compliances are on the diagonal of the matrix, and
-//! the twist may have any sign. The friction force is `F_t = Σ β_j d_j` with coefficients β_j >= 0, and λ is the size of the slip:
+//! the twist may have any sign. The friction force is `F_t = Σ β_j d_j` with coefficients β_j >= 0, and λ is the magnitude of the slip:
 //!
 //! ```text
 //! 0 <= F_n ⟂ g      =  F_n/k_n - a_n + n·u_c                          >= 0

@@ -9,7 +9,6 @@ use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
 
 impl Engine {
-    /// Implements [`Grasp::kinematic_form`](crate::ask::Grasp::kinematic_form).
     pub(crate) fn kinematic_form(&self, load: &Wrench<3>, cone: &PolygonCone) -> Result<Option<Form>, Error> {
         let problem = self.on_polygons(load, cone)?;
         let trial = problem.trial();
@@ -17,7 +16,6 @@ impl Engine {
         Ok(kinematic_form(&problem, &trial, &state))
     }
 
-    /// Implements [`Grasp::force_form`](crate::ask::Grasp::force_form).
     pub(crate) fn force_form(&self, load: &Wrench<3>, cone: &PolygonCone) -> Result<Option<Form>, Error> {
         Ok(force_form(&self.on_polygons(load, cone)?))
     }

@@ -1,5 +1,5 @@
 //! The meaning of each complementary pair (each row) of a linear complementarity problem, and the pairs that a contact does not need. In the
-//! kinematic form the unknowns are gaps and slips, in the force form contact forces, sizes of slips and the twist.
+//! kinematic form the unknowns are gaps and slips, in the force form contact forces, magnitudes of slips and the twist.
 //!
 //! The contact force F has the normal part `F_n` and the tangential part `F_t`, limited by the friction coefficient μ. The friction cone is a polygon
 //! for `μ F_n = 1`: its facets `h·F_t <= 1` have the normals h, its corners are the tangential vectors d_j.
@@ -30,14 +30,14 @@ pub enum Row {
         contact: usize,
     },
     /// Force form: z = coefficient β of one corner d_j in the tangential force `F_t = Σ β_j d_j` (N), w = `λ - d_j·s` (m). Here s is the slip, and λ
-    /// its unknown size.
+    /// its magnitude, another unknown.
     TangentialForce {
         /// Index of the contact, from 0.
         contact: usize,
         /// Index of the corner, from 0, in the order of [`PolygonCone`](crate::PolygonCone). In the plane 0 is the tangent t, and 1 is -t.
         corner: usize,
     },
-    /// Force form: z = size of the slip λ (m), w = unused friction, `μ F_n - Σ_j β_j` (N), with the coefficients β_j of the corners.
+    /// Force form: z = magnitude λ of the slip (m), w = unused friction, `μ F_n - Σ_j β_j` (N), with the coefficients β_j of the corners.
     SlipSize {
         /// Index of the contact, from 0.
         contact: usize,
@@ -71,7 +71,7 @@ pub struct OmittedPairs {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum OmissionReason {
-    /// Everything sticks: the elastic trial state, in which every contact sticks, is the equilibrium.
+    /// Everything sticks: the elastic trial, the solution in which every contact sticks, is the equilibrium.
     EverythingSticks,
     /// μ = 0: the contact has no tangential force, and needs no pairs for facets.
     Frictionless,

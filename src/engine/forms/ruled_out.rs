@@ -9,9 +9,9 @@ use crate::contact::{Mode, State};
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::prelude::*;
 
-/// Whether these contact states clearly make an unknown or a slack of the form negative. `largest` is the largest force of the elastic trial
-/// state (every contact sticks), in units of the slacks. Returns false if a contact slips across two facets, a case that the test does not
-/// cover, or if the equations are singular.
+/// True if these contact states clearly make an unknown or a slack of the form negative. `largest` is the largest force of the elastic trial (the
+/// solution in which every contact sticks), in units of the slacks. Returns false if the equations are singular, and in two cases that the test does
+/// not cover: a contact slides at a corner of its cone, or a contact in space with friction is open.
 pub(crate) fn clearly_breaks(form: &Form, is_planar: bool, states: &[State], largest: f64) -> bool {
     let (mut slack, mut jumps) = (Vec::new(), Vec::new());
     for (i, row) in form.rows.iter().enumerate() {
@@ -34,14 +34,14 @@ pub(crate) fn clearly_breaks(form: &Form, is_planar: bool, states: &[State], lar
     let solved = if jumps.is_empty() { Some(pushed) } else { of_jumps.full_piv_lu().solve(&pushed) };
     let Some(z) = solved else { return false };
     let most = z.iter().fold(0.0, |most: f64, z| if z.abs() <= most { most } else { z.abs() });
-    // Gaps or slips larger than this multiple of the forces show that the equations are linearly dependent; the test then excludes nothing. For
-    // NaN the comparison is false, so that the test excludes nothing either.
+    // Gaps or slips larger than 1e8 times the largest force (both scaled) show that the equations are linearly dependent. The test then excludes
+    // nothing. For NaN the comparison is false, so that the test excludes nothing either.
     let known = most <= 1e8 * largest;
     if !known {
         return false;
     }
-    // An unknown or slack is clearly negative if it is below minus this fraction of the largest force, gap or slip. Rounding errors of the kinematic
-    // form are some 1e-14 of these sizes, far smaller.
+    // An unknown or slack is clearly negative if it is below minus the fraction `NEGLIGIBLE` of the largest force, gap or slip (scaled). Rounding
+    // errors of the kinematic form are far smaller, some 1e-14 of the largest.
     let broken = -NEGLIGIBLE * largest.max(most);
     let w = |i: usize| q[i] + jumps.iter().zip(z.iter()).map(|((j, _), z)| m[(i, *j)] * z).sum::<f64>();
     jumps.iter().zip(z.iter()).any(|((_, has_sign), z)| *has_sign && *z < broken)
