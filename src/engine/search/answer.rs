@@ -1,7 +1,8 @@
-//! The result of a search for an equilibrium under a load, and the work that it took. A drive, the spring of a joint or tendon of a hand, is treated
-//! like a contact. In the elastic trial state every contact sticks. The twist is the motion of the object, of joints and of further bodies. Free
-//! motions stretch no spring; along neutral motions forces change but stay in balance. A case restricts the states of the contacts (stick, slide or
-//! open), and perhaps the directions of their friction.
+//! The result of a search for an equilibrium under a load, and the work that it took. The search starts from the elastic trial, the solution in which
+//! every contact sticks. It tries contact states (open, sticking, sliding), or cases: a case restricts the contact states and perhaps the directions
+//! of friction. A drive, the spring of a joint or tendon of a hand, is treated like a contact. A solution has a twist (motion of the object, of
+//! joints and of further bodies). It may also have free motions, which stretch no spring, and neutral motions, along which forces change but stay in
+//! balance.
 
 use nalgebra::SVector;
 
@@ -16,25 +17,25 @@ use crate::prelude::*;
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum FoundBy {
-    /// Everything sticks: the elastic trial state, in which all contacts stick, satisfies every condition. No complementarity problem was solved.
+    /// Everything sticks: the elastic trial, in which all contacts stick, satisfies every condition. No complementarity problem was solved.
     EverythingSticks,
-    /// Everything that touches sticks: contacts that would pull are open, and all others satisfy every condition while they stick. No complementarity
-    /// problem was solved.
+    /// Everything that touches sticks: contacts that would pull if they stuck are open, and all others satisfy every condition while they stick. No
+    /// complementarity problem was solved.
     EverythingTouchingSticks,
-    /// Lemke's method on the kinematic form, whose unknowns are gaps and slips. Its pivots start at the elastic trial state.
+    /// Lemke's method on the kinematic form, whose unknowns are gaps and slips. Its pivots start at the elastic trial, in which all contacts stick.
     KinematicForm,
-    /// Newton's method for the motion of the object, of which each contact force is a function. It starts at the elastic trial state or, with round
-    /// cones, at one of three starts. With fewer than 32 contacts the first start is a point of an artificial viscous motion, which leads from the
-    /// elastic trial state towards a nearby equilibrium. If several equilibria exist, Newton's method then finds this equilibrium. The next starts
-    /// are the elastic trial state, and the twist for friction limits that do not depend on normal forces.
+    /// Newton's method for the motion of the object, of which each contact force is a function. It starts at the elastic trial (all contacts stick)
+    /// or, with round cones, at one of three starts. With fewer than 32 contacts the first start is a point of an artificial viscous motion, which
+    /// leads from the elastic trial towards a nearby equilibrium. If several equilibria exist, Newton's method then finds this equilibrium. The next
+    /// starts are the elastic trial, and the twist for friction limits that do not depend on normal forces.
     Newton,
     /// Lemke's method on the force form, whose unknowns are contact forces. Its pivots start from zero forces.
     ForceForm,
-    /// The first combination of contact states that satisfies every condition; on the round cone, the first case of contact states and directions of
-    /// friction from which Newton's method converges. [`Grasp::equilibria`](crate::ask::Grasp::equilibria) lists equilibria that were found in this
-    /// way, too.
+    /// Trial of all combinations of contact states: the first that satisfies every condition. On the round cone the first case of contact states and
+    /// directions of friction from which Newton's method converges. Equilibria listed by [`Grasp::equilibria`](crate::ask::Grasp::equilibria) are
+    /// found in this way, too.
     Enumeration,
-    /// A load path was followed: the states come from its history.
+    /// A load path was followed: the contact states come from its history.
     LoadPath,
 }
 
@@ -44,9 +45,9 @@ pub enum FoundBy {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum Doubt {
-    /// Lemke's method ended on rays, which prove nothing, and not every combination of states could be tried. Either there are too many contacts for
-    /// [`Settings::most_states`](crate::Settings::most_states), or on the round cone the cases that were tried gave neither an equilibrium nor a
-    /// proof.
+    /// Lemke's method ended on rays, which prove nothing, and not every combination of contact states could be tried. Either there are too many
+    /// contacts for [`Settings::most_states`](crate::Settings::most_states), or on the round cone the cases that were tried gave neither an
+    /// equilibrium nor a proof.
     RayWithoutProof,
     /// Some combination of contact states violates a condition so little that rounding may be the cause. The load is then on the
     /// boundary of the loads that the grasp can hold, up to the working precision.
@@ -54,8 +55,8 @@ pub enum Doubt {
     /// Contact states were found, but moment arms or stiffnesses of the grasp differ by more than the working precision resolves. Forces and twist
     /// cannot be computed accurately: residuals exceed 1e-10 (1e-12 on the round cone).
     Inaccurate,
-    /// Lemke's method reached its limit of pivots, failed numerically or would need too large a matrix. There are also too many contacts to try every
-    /// combination of states.
+    /// Lemke's method reached its limit of pivots, failed numerically or needs too large a matrix. There are also too many contacts to try every
+    /// combination of contact states.
     OutOfPivots,
     /// On a load path: one leg (a section of the load program) needs more than [`Settings::most_steps`](crate::Settings::most_steps) steps or jumps.
     /// Steps are made along arcs, on which contacts slide in turning directions on the round cone; jumps lead from static to kinetic friction.
@@ -70,17 +71,17 @@ pub(crate) struct SearchSolution {
     pub(crate) twist: Vector,
     pub(crate) free_motions: Vec<Vector>,
     pub(crate) neutral_motions: Vec<Vector>,
-    /// Sizes of force, N, and of displacement, m, to which the rounding errors of the solution are proportional. On a load path the solution is a sum
-    /// of changes along the path, and the sizes are those of the terms of this sum. Both are zero for a solution that was not reached along a path.
+    /// Rounding scales: a force, N, and a displacement, m, to which the rounding errors of the solution are proportional. On a load path the solution
+    /// is a sum of changes along the path, and the scales are the magnitudes of the terms of this sum. Both are zero for a solution that was not
+    /// reached along a path.
     pub(crate) sizes: [f64; 2],
-    /// On the round cone, the largest difference, N, of a contact force from the solution on polygonal cones with which Newton's method started.
-    /// `None` if Newton's method did not start from such a solution.
+    /// On the round cone, the largest difference, N, between a contact force and its value in the solution on polygonal cones from which Newton's
+    /// method started. `None` if Newton's method did not start from such a solution.
     pub(crate) from_polygon: Option<f64>,
 }
 
 impl SearchSolution {
-    /// A solution of a single search: it was not reached along a load path or from polygonal cones, and springs resist every motion of the
-    /// object.
+    /// A solution of a single search: it was not reached along a load path or from polygonal cones, and it has no free or neutral motions.
     pub(crate) fn new(states: Vec<State>, forces: Vec<SVector<f64, 3>>, twist: Vector) -> Self {
         Self {
             states,
@@ -144,8 +145,8 @@ pub(crate) enum SearchOutcome {
     /// No equilibrium exists: every combination of contact states violates a condition by more than rounding. The field is the number of combinations
     /// tried.
     NoneOf(usize),
-    /// No equilibrium exists on the round cone. Contact states were divided into `cases` cases, and each case was proved to have no equilibrium. An
-    /// equilibrium that rounding hides from this proof would be larger than the elastic trial state by at least the factor `escape`.
+    /// No equilibrium exists on the round cone. Contact states were divided into `cases` cases, and each case was proved to have no equilibrium.
+    /// Rounding can hide from this proof only an equilibrium that is larger than the elastic trial by at least the factor `escape`.
     Contradicted {
         cases: usize,
         escape: f64,
@@ -154,7 +155,8 @@ pub(crate) enum SearchOutcome {
     Undecided(Doubt),
 }
 
-/// Counts of the work of one search for an equilibrium.
+/// The effort of one search for an equilibrium: numbers of pivots of Lemke's method, of rows of its largest problem, and of combinations of contact
+/// states.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct SearchCounts {
     pub(crate) pivots: usize,
@@ -163,7 +165,7 @@ pub(crate) struct SearchCounts {
     pub(crate) combinations: usize,
     /// Number of facets of a contact's polygonal cone.
     pub(crate) facets: usize,
-    /// Flag: true if the complementarity problem for gaps and slips (kinematic form), with a dense matrix, was proved to have no solution, up to
-    /// rounding. Always false with round cones.
+    /// True if the complementarity problem for gaps and slips (kinematic form), with a dense matrix, was proved to have no solution, up to rounding.
+    /// Always false with round cones.
     pub(crate) no_slips: bool,
 }

@@ -1,5 +1,6 @@
-//! Solves the linear problem of proposed contact states and checks their conditions, whichever method of the search proposes them. Drives of joints
-//! and tendons are treated like contacts.
+//! Solves the linear problem of proposed contact states and checks their conditions, whichever method of the search proposes them. A condition is an
+//! inequality `value >= 0` on force or stretch, such as F_n >= 0 of a closed contact. Its rounding scale (`size`) is the magnitude of the terms of
+//! `value`, to which the rounding error is proportional. Drives (springs of joints and tendons) are treated like contacts.
 
 use core::cell::OnceCell;
 
@@ -17,7 +18,7 @@ use crate::prelude::*;
 pub(crate) enum CandidateOutcome {
     Holds(SearchSolution),
     Violated {
-        /// Whether the violation of a condition may be rounding. If so, the violation does not prove that these states have no equilibrium.
+        /// True if the violation of a condition may be rounding. The violation then does not prove that these states have no equilibrium.
         doubtful: bool,
     },
     /// No forces balance the load in these states.
@@ -43,7 +44,7 @@ pub(crate) fn try_states(problem: &Problem, states: Vec<State>) -> CandidateOutc
 pub(super) struct RejectedStates {
     pub(super) states: Vec<State>,
     pub(super) at: ForcesAndTwist,
-    /// Whether the violation of a condition may be rounding. If so, the violation does not prove that these states have no equilibrium.
+    /// True if the violation of a condition may be rounding. The violation then does not prove that these states have no equilibrium.
     doubtful: bool,
 }
 
@@ -67,7 +68,7 @@ pub(super) fn admit(
     let mut shifted = None;
     let free_motions = linear_problem.free_motions().to_vec();
     let neutral_motions = linear_problem.neutral_motions();
-    // An inequality counts as satisfied if its value, divided by the size of its terms, is not more negative than a tolerance. The tolerance is
+    // An inequality counts as satisfied if its value, divided by its rounding scale, is not more negative than a tolerance. The tolerance is
     // `ZERO_SLACK`, times the factor by which the linear problem amplifies rounding errors. It is needed because in symmetric grasps a value is often
     // exactly zero, and is computed as a few roundings of 1e-16.
     if exceeds(worst, ZERO_SLACK) && !(free_motions.is_empty() && neutral_motions.is_empty()) {
@@ -84,19 +85,20 @@ pub(super) fn admit(
                     *f += change * *tau;
                 }
             }
-            // The solution has been shifted to another solution. Violations are divided by the sizes that the terms had before the shift. A shift so
-            // long that its rounding exceeds the tolerance is thus refused.
+            // The solution has been shifted to another solution. Violations are divided by the rounding scales before the shift. A shift so long that
+            // its rounding exceeds the tolerance is thus refused.
             let values = slacks(problem, &states, there).0;
             worst = values.iter().zip(&sizes).fold(0.0, |worst, (value, size)| worse(worst, *value, *size));
         }
     }
     if exceeds(worst, ZERO_SLACK) {
         // A violation above the tolerance, but below 1e-12 times the amplification of rounding errors, may or may not be rounding. The proposed
-        // states are refused, but they are marked as doubtful, so that the refusal counts as no proof.
+        // contact states are refused, but they are marked as doubtful, so that the refusal counts as no proof.
         return Err(RejectedStates { states, at, doubtful: !exceeds(worst, 1e-12) });
     }
     let there = shifted.as_ref().unwrap_or(&at);
-    // Contact forces that leave an imbalance of more than this fraction of their sizes are no solution; well-conditioned problems reach 1e-15.
+    // Contact forces that leave an imbalance of more than 1e-11 of their magnitudes are no solution. In well-conditioned problems the imbalance is
+    // about 1e-15.
     if out_of_balance(problem, &there.forces, &there.twist) > 1e-11 {
         return Err(RejectedStates { states, at, doubtful: true });
     }
@@ -113,7 +115,7 @@ pub(super) fn admit_regular(
 ) -> Option<SearchSolution> {
     let mut holds = true;
     for_each_condition(problem, &states, &state.forces, &state.twist, &mut |value, size| {
-        // For NaN the comparison is false, so the states are refused.
+        // For NaN the comparison is false, so the contact states are refused.
         holds &= value >= -ZERO_SLACK * size;
     });
     holds.then(|| SearchSolution::new(states, state.forces, state.twist))
@@ -134,7 +136,7 @@ pub(super) fn breaking(problem: &Problem, states: &[State], at: &ForcesAndTwist)
     chosen(problem.len(), &breaks)
 }
 
-/// Calls `visit(value, size)` for every condition `value >= 0` of the states of all contacts and drives; `size` is the size of the terms of `value`.
+/// Calls `visit(value, size)` for every condition `value >= 0` of the states of all contacts and drives; `size` is the rounding scale of `value`.
 pub(crate) fn for_each_condition(
     problem: &Problem,
     states: &[State],
@@ -150,7 +152,7 @@ pub(crate) fn for_each_condition(
     }
 }
 
-/// The norm of the imbalance `Σ G_i F_i + W` of contact forces F_i (grasp maps G_i) and load W, divided by a size of the forces. This size is the sum
+/// The norm of the imbalance `Σ G_i F_i + W` of contact forces F_i (grasp maps G_i) and load W, divided by its rounding scale. This scale is the sum
 /// of the norms of the contact forces, plus the larger of the load and the largest contact force. If commands alone move a statically determinate
 /// grasp, its exact forces are zero, and the computed forces are rounding errors. The largest force is therefore at least the fraction `NO_FORCE` of
 /// the force that the displacements could cause in the softest spring.
@@ -160,7 +162,7 @@ fn out_of_balance(problem: &Problem, forces: &[SVector<f64, 3>], twist: &Vector)
     if size > 0.0 { left / size } else { 0.0 }
 }
 
-/// Values of the inequalities of all contacts and drives, which should not be negative, and for each value the size of its terms.
+/// Values of the inequalities of all contacts and drives, which should not be negative, and for each value its rounding scale.
 fn slacks(problem: &Problem, states: &[State], at: &ForcesAndTwist) -> (Vec<f64>, Vec<f64>) {
     let (mut values, mut sizes) = (Vec::new(), Vec::new());
     for_each_condition(problem, states, &at.forces, &at.twist, &mut |value, size| {
@@ -170,8 +172,8 @@ fn slacks(problem: &Problem, states: &[State], at: &ForcesAndTwist) -> (Vec<f64>
     (values, sizes)
 }
 
-/// The largest violation of an inequality by any contact or drive, relative to the size of its terms. Zero if all inequalities hold, infinite if a
-/// value is NaN.
+/// The largest violation of an inequality by any contact or drive, divided by its rounding scale. Zero if all inequalities hold, infinite if a value
+/// is NaN.
 fn violation(problem: &Problem, states: &[State], at: &ForcesAndTwist) -> f64 {
     let mut worst = 0.0;
     for_each_condition(problem, states, &at.forces, &at.twist, &mut |value, size| {
@@ -206,8 +208,8 @@ fn least_admissible_shift(
             let stretch = -site.map.tr_mul(motion);
             let at = SpringState { stretch, force, span: site.span(&SVector::zeros(), motion), largest };
             problem.local(contact).for_each_condition(state, &at, &mut |rate, rate_size| {
-                // The change of an inequality's value under a unit motion is a sum of terms. If it is less than this fraction of the terms, the
-                // change is taken as a rounding error of zero. Otherwise a very long motion could seem to satisfy the inequality.
+                // `rate` is the change of an inequality's value under a unit motion. A rate up to the fraction `SOLVED_ROUNDING` of its rounding
+                // scale is taken as zero. If such a rate were kept, a very long motion could seem to satisfy the inequality.
                 if rate.abs() > SOLVED_ROUNDING * rate_size {
                     rows[i].1[k] = rate / sizes[i];
                 }

@@ -13,7 +13,7 @@ use crate::object::{ForcesAndTwist, LinearProblem, Problem};
 use crate::prelude::*;
 
 /// Input of a method of the search (a rung of the ladder): the equilibrium problem, and the solution of its elastic trial, in which every contact
-/// sticks. In that solution some contact breaks a condition of its state, for example by a force outside its cone.
+/// sticks. In this solution some contact breaks a condition of sticking, for example by a force outside its cone.
 pub(super) struct ElasticTrial<'s, 'g> {
     pub(super) problem: &'s Problem<'g>,
     pub(super) settings: &'s Settings,
@@ -47,8 +47,9 @@ impl<'s, 'g> ElasticTrial<'s, 'g> {
         self.proposing.get_or_init(|| on_polygons(self.problem, self.settings.cone, &self.state.forces))
     }
 
-    /// The problem of [`Self::proposing`] in which contacts with infinite friction have friction-cone facets, too; `None` if no contact has infinite
-    /// friction. Such a contact loses its tangential force when it opens. Without facets the complementarity problem would keep this force.
+    /// The problem for methods that need polygonal friction cones ([`Self::proposing`]), in which contacts with infinite friction have facets, too.
+    /// `None` if no contact has infinite friction. Such a contact loses its tangential force when it opens. A complementarity problem without its
+    /// facets keeps this force.
     pub(super) fn with_edges(&self) -> Option<&Problem<'g>> {
         let infinite = || self.problem.locals().any(|local| local.never_slides());
         let make =
@@ -72,12 +73,12 @@ impl Attempt {
     }
 }
 
-/// Record of the search so far: counts of its work, and the reason to give if its result is undecided.
+/// Record of the search so far: its effort, and the reason to give if its result is undecided.
 pub(super) struct SearchLog {
     pub(super) effort: SearchCounts,
     /// The reason why the result is undecided, to be returned if no method finds an equilibrium or a proof.
     pub(super) doubt: Doubt,
-    /// Whether the last complementarity problem that was solved with a dense matrix was proved to have no solution.
+    /// True if the last complementarity problem that was solved with a dense matrix was proved to have no solution.
     pub(super) is_infeasible: bool,
 }
 

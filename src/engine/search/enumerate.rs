@@ -1,4 +1,5 @@
-//! The trial of every combination of contact states: a complete search, which takes acceptable time for a few contacts.
+//! The trial of every combination of contact states (open, sticking, or sliding on a facet or at a corner of the friction cone): a complete search,
+//! which takes acceptable time for a few contacts.
 
 use super::answer::SearchSolution;
 use super::candidate::CandidateOutcome;
@@ -8,8 +9,8 @@ use crate::numerics::paired;
 use crate::object::Problem;
 use crate::prelude::*;
 
-/// The number of combinations of states of all contacts and of the drives of joints and tendons. It is a floating-point number, since integers would
-/// overflow with few contacts.
+/// The number of combinations of states of all contacts and drives (springs of joints and tendons). It is a floating-point number, since with a few
+/// dozen contacts it exceeds the largest integer.
 pub(crate) fn combinations(problem: &Problem) -> f64 {
     problem.locals().map(|local| local.states().len() as f64).product()
 }
@@ -34,9 +35,9 @@ pub(crate) fn for_each_combination(problem: &Problem, visit: &mut dyn FnMut(Vec<
 #[derive(Debug, Clone)]
 pub(crate) struct Enumerated {
     pub(crate) found: Vec<SearchSolution>,
-    /// Number of combinations tried. Combinations that the caller's test `may_hold` has excluded are not included.
+    /// Number of combinations tried, without those that the caller's test `may_hold` excludes.
     pub(crate) tried: usize,
-    /// Whether some combination that was tried broke a condition by so little that rounding may be the cause.
+    /// True if some combination that was tried broke a condition by so little that rounding may be the cause.
     pub(crate) doubtful: bool,
 }
 

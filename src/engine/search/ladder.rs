@@ -2,9 +2,9 @@
 //! or a proof that none exists.
 //!
 //! The elastic trial, in which everything sticks, is tried before the first rung. A rung costs more than the rungs before it, or ends the search less
-//! often. A separating motion is a virtual motion along which the load does positive work and no admissible contact force does negative work. The
-//! kinematic form is the complementarity problem for gaps and slips, the force form that for contact forces. A case restricts the states of the
-//! contacts (stick, slide or open), and perhaps the directions of their friction.
+//! often. Some rungs look for a separating motion: a virtual motion along which the load does positive work and no admissible contact force does
+//! negative work. Others solve complementarity problems: the kinematic form, whose unknowns are gaps and slips, and the force form, whose unknowns
+//! are contact forces.
 
 use super::answer::{Doubt, FoundBy, SearchCounts, SearchOutcome, SearchSolution};
 use super::candidate::{RejectedStates, admit};
@@ -141,7 +141,7 @@ fn seldom_cycles(scene: &ElasticTrial<'_, '_>) -> bool {
     has_many_contacts(scene) || several()
 }
 
-/// Whether the problem is a rate problem (for derivatives along a load path) with contacts on the edge of their cone.
+/// Whether the problem is a rate problem (for derivatives along a load path) with contacts on the boundary of their cone (`edge` in code names).
 fn is_on_an_edge(scene: &ElasticTrial<'_, '_>) -> bool {
     scene.problem.locals().any(|local| local.is_on_an_edge())
 }
@@ -163,7 +163,8 @@ fn near_those_of_a_similar_grasp(scene: &ElasticTrial<'_, '_>, log: &mut SearchL
     Attempt::of(equilibrium_by_proposals(scene.problem, &propose, log))
 }
 
-/// Starting from the elastic trial, tries combinations of states in which contacts that would pull are open, and all others stick.
+/// Tries contact states in which some contacts are open and all others stick. It starts from the elastic trial, opens contacts that pull, and closes
+/// contacts that penetrate the object.
 fn touching_contacts_stick(scene: &ElasticTrial<'_, '_>, _: &mut SearchLog) -> Attempt {
     Attempt::of(touching_contacts(scene.problem, scene.trial_states.clone(), scene.state.clone()))
 }
@@ -182,7 +183,7 @@ fn newton(scene: &ElasticTrial<'_, '_>, log: &mut SearchLog) -> Attempt {
         return Attempt::of(equilibrium_by_proposals(scene.proposing(), &propose, log));
     }
     let from = |twist| polish_from(scene.problem, twist);
-    // With many contacts the steps of relaxation would take longer than Newton's method from the elastic trial.
+    // With many contacts the steps of relaxation take longer than Newton's method from the elastic trial.
     let relaxed = if has_many_contacts(scene) { None } else { where_it_relaxes_to(scene) };
     let found = relaxed.or_else(|| from(scene.state.twist.clone()));
     // With many coordinates the twist from Tresca friction is nearer to the solution than the twist of the elastic trial.
@@ -205,24 +206,22 @@ fn where_it_relaxes_to(scene: &ElasticTrial<'_, '_>) -> Option<SearchSolution> {
     another
 }
 
-/// Searches for a proof that a rate problem (for derivatives along a load path) has no solution, as at a limit load. The proof is a virtual motion
-/// along which the rate of the load does work. The contacts do no work along it if every contact that may slide or open does so. In other contact
-/// states they cannot do more negative work along it.
+/// Searches for a proof that a rate problem (for derivatives along a load path) has no solution, as at a limit load. The proof is a virtual motion.
+/// If every contact that may slide or open does so, the motion of the object does not change the work of the contacts along the virtual motion. The
+/// proof is accepted if in no contact states this work can balance that of the load.
 fn everything_yields(scene: &ElasticTrial<'_, '_>, _: &mut SearchLog) -> Attempt {
     let proof = proofs::yields(scene.problem);
     proof.map_or(Attempt::Nothing, |escape| Attempt::Proof(SearchOutcome::Contradicted { cases: 1, escape }))
 }
 
-/// Searches for a proof with many contacts or coordinates: a motion that separates the load from all admissible contact forces (a separating motion,
-/// see the head of this file). With many coordinates an augmented Lagrangian finds the motion. Otherwise the motion is the residual wrench of the
-/// admissible forces nearest to the load.
+/// Searches for a proof with many contacts or coordinates: a separating motion. With many coordinates an augmented Lagrangian finds it. Otherwise it
+/// is the residual wrench of the admissible forces nearest to the load.
 fn separating_motion(scene: &ElasticTrial<'_, '_>, _: &mut SearchLog) -> Attempt {
     let motion = proofs::separating_motion(scene.proposing());
     motion.map_or(Attempt::Nothing, |motion| Attempt::Proof(SearchOutcome::Separating(motion)))
 }
 
-/// Searches for a proof with few contacts: a motion that separates the load from all admissible contact forces (a separating motion, see the head of
-/// this file). This motion is the residual wrench of the admissible forces nearest to the load.
+/// Searches for a proof with few contacts: a separating motion. It is the residual wrench of the admissible forces nearest to the load.
 fn separating_motion_of_few(scene: &ElasticTrial<'_, '_>, _: &mut SearchLog) -> Attempt {
     let motion = proofs::separating_motion_of_few(scene.proposing());
     motion.map_or(Attempt::Nothing, |motion| Attempt::Proof(SearchOutcome::Separating(motion)))
@@ -282,7 +281,7 @@ fn every_case(scene: &ElasticTrial<'_, '_>, log: &mut SearchLog) -> Attempt {
             }
         };
     }
-    // On the round cone no combinations of states are tried, since a proof for the polygonal cone would prove nothing for the round cone.
+    // On the round cone no combinations of contact states are tried, since a proof for the polygonal cone proves nothing for the round cone.
     if has_round_cones(problem) || !enumerable(problem, scene.settings) {
         return Attempt::Nothing;
     }

@@ -1,9 +1,10 @@
 //! Lemke's method for many contacts of which few leave the elastic trial, in which everything sticks. A contact leaves the trial if it breaks a
 //! condition of its state there. Only these few contacts pivot, i.e. may change their states.
 //!
-//! A contact that breaks a condition is added to the pivoting contacts; all others keep their states. The new states may make other contacts break a
-//! condition. These contacts are added, too, until no contact breaks a condition. If many contacts leave the trial, Lemke's method starts instead
-//! from states from Tresca friction, in which few contacts break a condition.
+//! A contact that breaks a condition is added to the pivoting contacts; all others keep their states. The new contact states may make other contacts
+//! break a condition. These contacts are added, too, until no contact breaks a condition. If many contacts leave the trial, Lemke's method starts
+//! instead from an approximate solution with Tresca friction (friction limits that do not depend on the normal forces). In its contact states few
+//! contacts break a condition.
 
 use crate::numerics::{IntoList, chosen};
 use alloc::sync::Arc;
@@ -35,8 +36,8 @@ impl PivotStart {
     }
 
     /// This start of Lemke's method, changed so that the contacts with the indices `among` stick. `moved` stores displacements of the object per unit
-    /// gap or slip of a contact; if a state changes, they are no longer valid and are cleared. `None` if the tangent stiffness is then singular, or
-    /// if no forces balance the load.
+    /// gap or slip of a contact; if a contact state changes, they are no longer valid and are cleared. `None` if the tangent stiffness is then
+    /// singular, or if no forces balance the load.
     fn sticking_at(self, problem: &Problem, among: &[usize], moved: &mut UnitDisplacements) -> Option<Self> {
         let mut states = self.states.clone();
         for i in among {
@@ -50,16 +51,16 @@ impl PivotStart {
     }
 }
 
-/// Proposes contact states by Lemke's method, in which only contacts that break a condition in the elastic trial may change their states. In the
-/// states returned no contact breaks a condition. `None` if the method finds no such states.
+/// Proposes contact states by Lemke's method, in which at first only contacts that break a condition in the elastic trial may change their states. In
+/// the contact states returned no contact breaks a condition. `None` if the method finds no such contact states.
 pub(super) fn propose_of_the_leaving(
     scene: &ElasticTrial<'_, '_>,
     problem: &Problem,
     log: &mut SearchLog,
 ) -> Option<Vec<State>> {
     let leaving = breaking(problem, &scene.trial_states, &scene.state);
-    // If at least this many contacts leave the elastic trial, Lemke's method starts from states from Tresca friction, in which fewer contacts break a
-    // condition. The cost of a run grows with the cube of the number of contacts that pivot.
+    // If at least 128 contacts leave the elastic trial, Lemke's method starts from the contact states of a solution with Tresca friction, in which
+    // fewer contacts break a condition. The cost of a run grows with the cube of the number of contacts that pivot.
     if leaving.len() >= 128
         && let Some(near) = states_by_tresca(problem).and_then(|near| regular(problem, near))
         && let Some(base) = PivotStart::of(problem, near)
@@ -68,8 +69,8 @@ pub(super) fn propose_of_the_leaving(
         if among.is_empty() {
             return Some(base.states);
         }
-        // In a run that starts from the states of Tresca friction, at most 400 contacts pivot. The 400 include neighbours: contacts that share
-        // coordinates with contacts that break a condition (see `with_neighbours`).
+        // In a run that starts from Tresca friction, at most 400 contacts pivot. The 400 include neighbours: contacts that share coordinates with
+        // contacts that break a condition.
         if let Some(states) = pivoted(problem, scene.settings, (base, among, 400), log) {
             return Some(states);
         }
@@ -78,8 +79,8 @@ pub(super) fn propose_of_the_leaving(
     pivoted(problem, scene.settings, (PivotStart { states, linear_problem, at }, leaving, 0), log)
 }
 
-/// Proposes contact states by Lemke's method that starts at the states of a similar grasp. In the states returned no contact breaks a condition.
-/// `None` if the method finds no such states, or if in the states of the similar grasp more than 24 contacts break a condition.
+/// Proposes contact states by Lemke's method that starts at the contact states of a similar grasp. In the contact states returned no contact breaks a
+/// condition. `None` if the method finds no such contact states, or if in those of the similar grasp more than 24 contacts break a condition.
 pub(super) fn propose_near_a_similar_one(
     scene: &ElasticTrial<'_, '_>,
     problem: &Problem,
@@ -89,7 +90,7 @@ pub(super) fn propose_near_a_similar_one(
     let leaving = breaking(problem, &base.states, &base.at);
     match leaving.len() {
         0 => Some(base.states),
-        // If at most 24 contacts break a condition in the states of the similar grasp, pivots start from these states. This takes less time than
+        // If at most 24 contacts break a condition in the contact states of the similar grasp, pivots start from them. This takes less time than
         // pivots from the elastic trial.
         1..=24 => pivoted(problem, scene.settings, (base, leaving, 0), log),
         _ => None,
@@ -151,9 +152,8 @@ fn with_neighbours(problem: &Problem, among: &[usize]) -> Vec<usize> {
     chosen(problem.len(), &feels)
 }
 
-/// Makes further contacts stick until the tangent stiffness is regular. For each motion along which the tangent stiffness is singular, the contact
-/// that moves most begins to stick; contacts that stick already are not considered. `None` if the tangent stiffness is still singular after eight
-/// rounds.
+/// Makes further contacts stick until the tangent stiffness is regular. For each motion along which it is singular, one contact begins to stick: of
+/// those that do not stick yet, the contact that moves most. `None` if the tangent stiffness is still singular after eight rounds.
 fn regular(problem: &Problem, mut states: Vec<State>) -> Option<Vec<State>> {
     for _ in 0..8 {
         let loose = problem.tangent_in_a_band(&|i| states[i])?.loose_motions();

@@ -3,7 +3,7 @@
 //!
 //! | file | idea |
 //! |---|---|
-//! | `answer` | the result of a search, and its effort |
+//! | `answer` | the result of a search, and the work that it took |
 //! | `settings` | limits and tolerances that the caller may set |
 //! | `record` | which rung ends each search, for the report `rungs` |
 //! | `elastic_trial` | input and result of a rung |
@@ -13,7 +13,7 @@
 //! | `proposals` | contact states proposed by Lemke's method |
 //! | `candidate` | proposed contact states, solved and checked |
 //! | `round_pieces`, `polish` | Newton's method on the round cone, from the elastic trial or from a solution with polygonal cones |
-//! | `enumerate` | every combination of states |
+//! | `enumerate` | every combination of contact states |
 //! | `solution_interval` | a solution that is one end of an interval of solutions |
 //! | `without_force` | contacts that touch without force are reported as open |
 //! | `tree`, `relaxed` | on the round cone: branch and bound over contact states |

@@ -3,8 +3,8 @@
 //!
 //! A few steps of Newton's method ([`newton_on_cones`](crate::object::newton_on_cones)) start from the twist of the solution with polygonal cones.
 //! They lead to the states of the contacts on the round cones. If every contact keeps its state, the contact laws are linear. The solution of this
-//! linear problem gives the last digits ([`super::round_pieces`]). Newton's method fails if stiffnesses differ so widely that the twist does not
-//! determine the forces. Then `round_pieces` starts from the contact states of the solution with polygonal cones.
+//! linear problem gives the last digits ([`super::round_pieces`]). If stiffnesses differ so widely that the twist does not determine the forces,
+//! these steps fail. Newton's method in forces and twist together then starts from the contact states of the solution with polygonal cones.
 
 use super::answer::SearchSolution;
 use super::candidate::{CandidateOutcome, try_states};
@@ -32,7 +32,7 @@ pub(super) fn accept(problem: &Problem, states: Vec<State>) -> CandidateOutcome 
 }
 
 /// The start for Newton's method on the round cone: the solution of the linear problem with these contact states on polygonal friction cones. This
-/// solution may break inequalities of the contact states, such as a normal force above zero. `None` if no forces in these states balance the load.
+/// solution may break inequalities of the contact states, such as F_n >= 0. `None` if no forces in these contact states balance the load.
 pub(crate) fn solution_near(problem: &Problem, states: &[State]) -> Option<ForcesAndTwist> {
     if let Some(near) = regular_solution(problem, states) {
         return Some(near);
@@ -54,8 +54,8 @@ fn regular_solution(problem: &Problem, states: &[State]) -> Option<ForcesAndTwis
     let tangent = PartialPivoting::new(&tangent_stiffness(problem.sites, &|i| springs[i]))?;
     let forces = paired(&springs, &problem.offsets, &|(springs, offset)| springs * offset);
     let mut near = ForcesAndTwist { forces, twist: Vector::zeros() };
-    // The solution is refined by Newton steps until the imbalance is at most this fraction of the forces. This is accurate enough for a start of
-    // Newton's method on round cones.
+    // The solution is refined by Newton steps until the imbalance is at most the fraction `SOLVED_ROUNDING` of the forces. This is accurate enough
+    // for a start of Newton's method on round cones.
     balance(problem.sites, &springs, &tangent, &problem.wrench, &mut near, SOLVED_ROUNDING)?;
     Some(near)
 }

@@ -1,5 +1,5 @@
-//! Contact states proposed by Lemke's method. With the states proposed (open, sticking or sliding), the contact laws are linear equations, whose
-//! solution is checked. On the round cone Newton's method refines the solution first.
+//! Contact states (open, sticking, sliding) proposed by Lemke's method. If every contact keeps its proposed state, the contact laws are linear
+//! equations, whose solution is checked. On the round cone Newton's method refines the solution first.
 
 use super::answer::{Doubt, SearchSolution};
 use super::candidate::{CandidateOutcome, try_states};
@@ -28,7 +28,7 @@ pub(super) fn enumerable(problem: &Problem, settings: &Settings) -> bool {
     combinations(problem) <= settings.most_states as f64
 }
 
-/// A method that proposes contact states, or returns `None` if it finds no states to propose.
+/// A method that proposes contact states; `None` if it has none to propose.
 type ProposalMethod<'p> = dyn Fn(&Problem, &mut SearchLog) -> Option<Vec<State>> + 'p;
 
 /// Lets `propose` propose contact states. If every contact keeps its proposed state, the contact laws are linear; this linear problem is solved, and
@@ -54,7 +54,8 @@ pub(super) fn equilibrium_by_proposals(
 }
 
 /// Contact states from Lemke's method on the complementarity problem `form`, whose matrix is dense. `most_work` is an upper limit of the number of
-/// multiplications, and `states` translates the basis of a solution (the set of its basic variables) to contact states. `None` without a solution.
+/// multiplications, and `states` translates the basis of a solution (the set of its basic variables) to contact states. `None` if no solution is
+/// found.
 pub(super) fn propose_dense(
     problem: &Problem,
     settings: &Settings,
@@ -65,9 +66,9 @@ pub(super) fn propose_dense(
     log.is_infeasible = false;
     let form = form?;
     log.effort.rows = log.effort.rows.max(form.rows.len());
-    // The solver may run Lemke's method more than once, but it never tries all bases: the search tries all contact states next, at less cost. Where
-    // branch and bound over contact states comes next instead, Lemke's method runs once. Branch and bound more often finds an equilibrium or a proof
-    // than another run would.
+    // The solver may run Lemke's method more than once, but it never tries all bases: the search tries all combinations of contact states later, at
+    // less cost. If branch and bound over contact states comes later instead, Lemke's method runs once. Branch and bound more often finds an
+    // equilibrium or a proof than another run does.
     let affordable = settings.max_pivots.unwrap_or(most_work / form.rows.len().pow(2).max(1));
     let by_size = lcp::Settings::one_path();
     // The solver is given the limit `affordable` of the number of pivots for one of two reasons: the caller set it, or it is below the solver's own

@@ -1,6 +1,6 @@
-//! The search ladder is a list of methods (rungs) that are tried in turn until one of them finds an equilibrium or proves that there is none. This
-//! file keeps a record of which method ends each search, for the program `rungs` in `examples/reports`. In the elastic trial, which precedes the
-//! ladder, every contact sticks.
+//! The search ladder is a list of methods (rungs) that are tried in turn until one of them finds an equilibrium or proves that there is none. The
+//! elastic trial, the solution in which every contact sticks, is tried before the ladder. This file records which method ends each search, for the
+//! program `rungs` in `examples/reports`.
 
 use crate::numerics::mapped;
 

@@ -1,6 +1,6 @@
 //! Equilibrium with the law of each contact relaxed: stretch and force of the contact may be any point of the convex hull of the law, a polyhedral
-//! cone. The relaxation is made in a case of branch and bound: a case restricts the state of each contact, for example to closed, or to friction
-//! directions between two angles.
+//! cone. The relaxation is made in a case of branch and bound. A case restricts each contact, for example to being closed, or to friction directions
+//! between two angles.
 //!
 //! Equilibrium is written in energy units, in which the stretches v and contact forces F are `e = K^{1/2}v` and `f = K^{-1/2}F`, with the stiffnesses
 //! K. With the grasp maps G, P is the orthogonal projector on the span of `K^{1/2}Gᵀ`. The forces of the elastic trial, in which everything sticks,
@@ -50,8 +50,8 @@ pub(super) enum Relaxed {
     /// The case is not contradicted. The fields are stretches (m) and forces (N) of the contacts that solve the relaxed equations, or come nearest to
     /// a solution. If the relaxation does not determine stretches and forces, these are one choice of many.
     Met(Vec<SVector<f64, 3>>, Vec<SVector<f64, 3>>),
-    /// The case has no equilibrium, except perhaps an equilibrium that rounding hides. The stretches and forces of such an equilibrium, measured in
-    /// energy units, would be larger than those of the elastic trial by at least the factor `escape`.
+    /// The case has no equilibrium, except perhaps an equilibrium that rounding hides. In energy units the stretches and forces of such an
+    /// equilibrium exceed those of the elastic trial by at least the factor `escape`.
     Contradicted { escape: f64 },
 }
 
@@ -153,19 +153,18 @@ impl BalanceEquation {
         // contradicted.
         for _ in 0..40 * self.target.len() {
             let distance = nearest.distance();
-            // If the nearest point is less than this distance from the target f⁰ (scaled to length one), the distance may be rounding, and the case
-            // is not contradicted.
+            // If the distance from the target f⁰ (scaled to length one) is below 1e-11, it may be rounding, and the case is not contradicted.
             if distance < 1e-11 || !distance.is_finite() {
                 break;
             }
-            // A decrease of the distance from the target by less than this fraction counts as no decrease.
+            // A decrease of the distance from the target by less than the fraction `NEGLIGIBLE` counts as no decrease.
             if distance < least * (1.0 - NEGLIGIBLE) {
                 least = distance;
                 tried.clear();
             }
             self.projected(nearest.residual(), &mut projected);
             // The work of a generator is its scalar product with the residual (target minus nearest point). A generator is added only if its work
-            // exceeds this fraction of the norm of the residual; smaller work is rounding.
+            // exceeds the fraction `SOLVED_ROUNDING` of the norm of the residual; smaller work is rounding.
             let (mut best, mut most) = (None, SOLVED_ROUNDING * distance);
             let mut hardest = LEAST_WORK * distance;
             for (tag, work) in Self::works_of_generators(nearest.residual(), &projected, hulls) {

@@ -1,8 +1,8 @@
 //! Newton's method in forces and twist together on the round cone. Each step solves the linear problem of the present contact states.
 //!
 //! The force of a spring 1e10 times as stiff as the others is 1e10 times as sensitive to the twist. If it were computed from the twist alone
-//! (`object/newton`), its rounding error would determine the contact state. Here forces are unknowns, too. The linear problem of the present
-//! states is solved in twice the working precision (`object/correction`); then contacts whose inequalities fail change their states.
+//! (`object/newton`), its rounding error would determine the contact state. Here forces are unknowns, too. The linear problem of the present contact
+//! states is solved in twice the working precision (`object/correction`). Then contacts whose inequalities fail change their states.
 
 use nalgebra::SVector;
 
@@ -14,7 +14,8 @@ use crate::numerics::{IntoList, Vector, by_axis};
 use crate::object::{ForcesAndTwist, LinearProblem, PreciseTwist, Problem, newton_on_cones};
 use crate::prelude::*;
 
-/// An iterate of Newton's method: a state for every contact, with forces and a twist that need not solve the linear problem of these states yet.
+/// An iterate of Newton's method: a state for every contact, with forces and a twist that need not solve the linear problem of these contact states
+/// yet.
 #[derive(Debug, Clone)]
 pub(super) struct RoundPieces {
     states: Vec<State>,
@@ -37,8 +38,8 @@ impl RoundPieces {
     /// Newton's method on the twist, from the initial twist `from`, in which every contact may change its state; `None` if it does not converge.
     pub(super) fn by_newton(problem: &Problem, from: Vector) -> Option<Self> {
         let mut contacts = Vec::new();
-        // Newton's method on the twist ends at this imbalance, a fraction of the forces. The caller's Newton steps with fixed contact states reduce
-        // the rest of the imbalance.
+        // Newton's method on the twist ends once the imbalance is at most the fraction `NEGLIGIBLE` of the forces. The caller's Newton steps in
+        // forces and twist remove the rest of the imbalance.
         let (twist, ..) = newton_on_cones(problem, (from, NEGLIGIBLE), &mut contacts)?;
         let (states, forces) = contacts.iter().map(|at| (at.state, at.force)).unzip();
         Some(Self { states, forces, twist: PreciseTwist::new(problem.size(), twist) })
@@ -73,9 +74,9 @@ impl RoundPieces {
         let most_steps = 20;
         for step in 1..=most_steps {
             let NewtonChange { sharp, near, settled } = self.step(problem, &linear_problem);
-            // A twist longer than this multiple of the initial twist and offsets (commands minus clearances) is refused, since hardly a digit of the
+            // A twist longer than 1e12 times the initial twist and offsets (commands minus clearances) is refused, since hardly a digit of the
             // contacts' stretches is then correct. Near a contact angle at which an object jams (wedges itself between contacts), Newton steps may
-            // lead to such a twist although an equilibrium exists; other methods of the search may find it.
+            // lead to such a twist although an equilibrium exists. Other methods of the search may find this equilibrium.
             if self.twist.value().norm() > 1e12 * driven {
                 return None;
             }
@@ -83,8 +84,8 @@ impl RoundPieces {
             if last && let Some(found) = self.admitted(problem, &linear_problem) {
                 return Some(found);
             }
-            // If no spring resists some motion, the gaps along this motion are arbitrary until Newton's method has converged. Until then, a gap that
-            // seems closed does not close the contact.
+            // If no spring resists some motion, the gaps along this motion are arbitrary until Newton's method has converged. An open contact whose
+            // gap vanishes in between is therefore not closed.
             let closing = sharp || linear_problem.free_motions().is_empty();
             let left = self.update_states(problem, closing);
             if sharp && !left {
@@ -106,25 +107,24 @@ impl RoundPieces {
         let largest = problem.largest_force(&self.forces, &self.twist.value());
         problem.locals().zip(&self.states).zip(&self.forces).all(|((local, state), force)| {
             let limit = local.cone().limit(force[0]);
-            // A friction force may differ from its limit by this fraction of the largest force. A Newton step that turns the friction force by a
-            // small angle moves it off the cone by the square of this angle.
+            // A friction force may differ from its limit by 1e-14 of the largest force. A Newton step that turns the friction force by a small angle
+            // moves it off the cone by the square of this angle, which is negligible after the last steps.
             state.slide().is_none() || (tangential_norm(force) - limit).abs() <= 1e-14 * largest.max(limit)
         })
     }
 
-    /// One Newton step: adds the corrections of forces and twist that solve the equations of `linear_problem`. Returns the sizes of these
-    /// corrections.
+    /// One Newton step: adds the corrections of forces and twist that solve the equations of `linear_problem`. Returns how large they are.
     fn step(&mut self, problem: &Problem, linear_problem: &LinearProblem) -> NewtonChange {
         let twist = self.twist.value();
         let largest = problem.largest_force(&self.forces, &twist);
         let missing = linear_problem.correction(problem, &self.states, (&self.forces, &self.twist), largest);
         self.twist.add(&missing.twist);
         let (moved, size) = (missing.twist.norm(), twist.norm());
-        // Newton's method has converged if a step changes the twist and each force by less than this fraction of themselves (`sharp`).
+        // Newton's method has converged if a step changes the twist and each force by at most the fraction `last` of themselves (`sharp`).
         let last = 1e-14;
-        // If rounding alone determines the direction of a small force, no step is `sharp`. Then it is enough if each force changes by less than this
-        // fraction of itself. Newton's method converges quadratically, so the remaining relative error is only the square of the fraction. The
-        // rounding error of the largest force is allowed in addition (`settled`).
+        // If rounding alone determines the direction of a small force, no step is `sharp`. Then it is enough if each force changes by at most the
+        // fraction `little` of itself, plus the rounding error of the largest force (`settled`). Newton's method converges quadratically, so the
+        // remaining relative error is only the square of the fraction.
         let little = 1e-8;
         let (mut sharp, mut near, mut settled) = (moved <= last * size, moved <= little * size, true);
         for (force, missing) in self.forces.iter_mut().zip(&missing.forces) {
@@ -139,7 +139,7 @@ impl RoundPieces {
         NewtonChange { sharp, near, settled }
     }
 
-    /// The solution with the present states, if every inequality holds and forces balance the load; otherwise `None`.
+    /// The solution with the present contact states, if every inequality holds and forces balance the load; otherwise `None`.
     fn admitted(&self, problem: &Problem, linear_problem: &LinearProblem) -> Option<SearchSolution> {
         let Self { states, forces, twist } = self.clone();
         let at = ForcesAndTwist { forces, twist: twist.value() };
@@ -162,13 +162,13 @@ impl RoundPieces {
     fn turns(&self, problem: &Problem, motion: &Vector) -> bool {
         problem.sites.iter().zip(&self.states).any(|(site, state)| {
             let turns = |slide: &Slide| slide.perpendicular().dot(&site.map.tr_mul(motion)).abs();
-            // Slip velocities below this fraction of the largest velocity of the contact for a unit motion are rounding errors.
+            // For a unit motion, slips below 1e-10 of the largest displacement of the contact are rounding errors.
             state.slide().is_some_and(|slide| turns(slide) > 1e-10 * site.map.norm())
         })
     }
 
-    /// Changes states whose inequalities fail, and turns each direction of sliding to the direction of the contact's stretch. Returns true if a
-    /// contact changed its kind of state (open, sticking, sliding). Open contacts close only if `closing` is true.
+    /// Changes contact states whose inequalities fail, and turns each direction of sliding to the direction of the contact's stretch. Returns true if
+    /// a contact changed its kind of state (open, sticking, sliding). Open contacts close only if `closing` is true.
     fn update_states(&mut self, problem: &Problem, closing: bool) -> bool {
         let twist = self.twist.value();
         let largest = problem.largest_force(&self.forces, &twist);
@@ -178,7 +178,7 @@ impl RoundPieces {
             let precise =
                 |axis: usize| self.twist.stretch(site, axis, problem.offsets[contact][axis]).value();
             let stretch = by_axis(precise);
-            // The state of a contact changes if an inequality of the state fails by more than this fraction of its terms.
+            // The state of a contact changes if an inequality of the state fails by more than the fraction `fails` of its terms.
             let fails = 1e-14;
             let touches = closing && stretch[0] > fails * problem.span(contact, &twist);
             let (state, force) = (self.states[contact], &mut self.forces[contact]);
@@ -233,13 +233,13 @@ fn next_state(
 }
 
 /// Whether contact forces balance the load up to rounding. The imbalance is compared with the sum of the norms of the contact forces, plus the load.
-/// Without a load all forces may be rounding errors. The load is then replaced by the larger of two forces: the largest contact force, and the
-/// fraction `NO_FORCE` of the force that the twist would cause in the springs. With a load the twist does not count: a huge twist would make any
-/// imbalance seem small.
+/// If there is no load, all forces may be rounding errors. The load is then replaced by the larger of two forces: the largest contact force, and the
+/// fraction `NO_FORCE` of the force that the displacements could cause in the softest spring. If there is a load, the twist does not count: compared
+/// with the spring force of a huge twist, any imbalance seems small.
 fn balanced(problem: &Problem, at: &ForcesAndTwist) -> bool {
     let (left, carried) = problem.imbalance(&at.forces);
     let load = problem.wrench.norm();
     let scale = if load > 0.0 { load } else { problem.largest_force(&at.forces, &at.twist) };
-    // Forces may be out of balance by this fraction of load and forces, since a load that was itself computed has rounding errors.
+    // Forces may be out of balance by 1e-13 of load and forces, since a load that was itself computed has rounding errors.
     left <= 1e-13 * (scale + carried)
 }

@@ -1,6 +1,6 @@
-//! Settings of searches for the equilibrium of a grasp under a load, and of load paths (equilibria while loads and finger commands change). In the
-//! elastic trial, from which searches start, every contact sticks. A case restricts the states of the contacts (stick, slide or open), and perhaps
-//! the directions of their friction.
+//! Settings of searches for the equilibrium of a grasp under a load, and of load paths (equilibria while loads and finger commands change). Searches
+//! start from the elastic trial, the solution in which every contact sticks. They may try cases: a case restricts the contact states (open, sticking,
+//! sliding), and perhaps the directions of friction.
 
 use super::small_motions::SmallMotions;
 use crate::contact::PolygonCone;
@@ -23,7 +23,7 @@ pub struct Settings {
     /// The polygonal friction cone in space, on which Lemke's method pivots; by default 8 facets, inscribed in the round cone. Ignored in the plane.
     /// For equilibria on the round cone each contact's polygon is rotated: a corner then lies along the friction force of the elastic trial, and more
     /// facets only cost time. For equilibria on the polygon itself more facets come closer to the round cone, at the cost of more pivots. With m
-    /// facets, the error of the onset load, at which a contact first slips or opens, falls like 1/m². The error of a state with sliding contacts
+    /// facets, the error of the load at which the first contact ceases to stick falls like 1/m². The error of an equilibrium with sliding contacts
     /// falls like 1/m.
     pub cone: PolygonCone,
     /// In space, whether equilibria and load paths are computed with the round cone (the default) or with the polygon itself. Ignored in the plane.
@@ -35,10 +35,10 @@ pub struct Settings {
     pub max_pivots: Option<usize>,
     /// If Lemke's method finds no equilibrium, all combinations of contact states are tried, provided that their number is at most this limit. The
     /// default is 20 000, which takes a few hundredths of a second: enough for 7 contacts in the plane, or 3 contacts with 8 facets in space. On the
-    /// round cone branch and bound divides the states and friction directions of up to 32 contacts into cases. A case of n contacts is counted as
-    /// n³/400 combinations, but at least as five: the default allows 4 000 cases for up to 12 contacts. A smaller limit is faster if no equilibrium
-    /// exists. With 0 neither combinations nor cases are tried, and there are no proofs by trying all of them. A larger limit gives proofs for more
-    /// contacts.
+    /// round cone branch and bound divides the contact states and friction directions of up to 32 contacts into cases. A case of n contacts is
+    /// counted as n³/400 combinations, but at least as five: the default allows 4 000 cases for up to 12 contacts. A smaller limit is faster if no
+    /// equilibrium exists. With 0 neither combinations nor cases are tried, and there are no proofs by trying all of them. A larger limit gives
+    /// proofs for more contacts.
     pub most_states: usize,
     /// On a load path on the round cone, the upper limit of the estimated error of one step along an arc. An arc is a part of the path on which
     /// contacts slide in turning directions. Errors of forces are relative to the largest force, errors of slips to the largest displacement. The
@@ -52,11 +52,11 @@ pub struct Settings {
     /// [`hold`](crate::ask::Grasp::hold) searches for the loss of the grasp up to this multiple of the load in the question (default 100). With a
     /// value of at most 1 the search stops at this load itself.
     pub most_load: f64,
-    /// Upper limit of the number of cycles of a repeated load that are followed (default 1 000), see [`shake`](crate::ask::Grasp::shake).
+    /// Upper limit of the number of cycles of a repeated load that [`shake`](crate::ask::Grasp::shake) follows (default 1 000).
     pub most_cycles: usize,
     /// Limits of small motions: by default a tenth of a radian, and slips of a tenth of the grasp's size.
     pub small_motions: SmallMotions,
-    /// Flag: true if searches for a static equilibrium omit the last method, which tries every case and takes longest if no equilibrium exists.
+    /// True if searches for a static equilibrium omit the last method, which tries every case and takes longest if no equilibrium exists.
     pub(crate) is_quick: bool,
 }
 
@@ -79,7 +79,7 @@ impl Default for Settings {
 
 impl Settings {
     setters! {
-        /// These settings with another polygonal friction cone, see [`Settings::cone`].
+        /// These settings with another polygonal friction cone ([`Settings::cone`]).
         pub fn with_cone(mut self, cone: PolygonCone) { self.cone = cone; }
 
         /// These settings, with equilibria and load paths on the polygonal cone instead of the round cone.

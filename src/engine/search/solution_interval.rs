@@ -3,7 +3,8 @@
 //!
 //! If friction is at its limit at every contact that could resist a motion, forces do not determine the object's position along this motion. The
 //! possible positions form an interval. At one end of it, one of these contacts has not slipped yet, and may be taken as sticking. The solution with
-//! this contact sticking satisfies every condition, but has no free motion.
+//! this contact sticking satisfies every condition, but has no free motion. A force at the limit of friction is on the boundary of the friction cone
+//! (`edge` in code names).
 
 use nalgebra::{Matrix, SVector};
 
@@ -16,18 +17,18 @@ use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::object::Problem;
 use crate::prelude::*;
 
-/// In the plane, looks for a solution with the same forces as `found`, but with a further free motion. The states tried are those of `found`, except
-/// that contacts on the edge of their cone slide, and contacts without force are open. Returns `found` itself if these states break a condition,
-/// change a force or give no further free motion; in space always.
+/// In the plane, looks for a solution with the same forces as `found`, but with a further free motion. The contact states tried are those of `found`,
+/// except that contacts on the boundary of their cone slide, and contacts without force are open. Returns `found` itself if these contact states
+/// break a condition, change a force or give no further free motion. In space `found` is always returned.
 pub(crate) fn on_the_solution_interval(problem: &Problem, found: SearchSolution) -> SearchSolution {
-    // In space a contact that slides still has a tangential spring perpendicular to its slip, which resists, so that no motion becomes free. With
-    // many coordinates `near` has contact states from which the search starts; free motions are then not looked for.
+    // In space a contact that slides still has a tangential spring perpendicular to its slip, which resists, so that no motion becomes free. If
+    // `near` has contact states of a similar grasp, from which the search starts, free motions are not looked for.
     if problem.space() == Space::Spatial || !problem.near.is_empty() {
         return found;
     }
     let Some(states) = yielding(problem, &found) else { return found };
     let largest = problem.largest_force(&found.forces, &found.twist);
-    // Forces that differ by less than this fraction of the largest force are equal.
+    // Forces that differ by at most the fraction `NEGLIGIBLE` of the largest force are equal.
     let are_the_same = |other: &SearchSolution| {
         found.forces.iter().zip(&other.forces).all(|(f, g)| (f - g).norm() <= NEGLIGIBLE * largest)
     };
@@ -40,7 +41,7 @@ pub(crate) fn on_the_solution_interval(problem: &Problem, found: SearchSolution)
     }
 }
 
-/// The contact states of the solution `found`, except that sticking contacts without force open, and sticking contacts on the edge of their cone
+/// The contact states of the solution `found`, except that sticking contacts without force open, and sticking contacts on the boundary of their cone
 /// slide. `None` if no contact changes its state.
 fn yielding(problem: &Problem, found: &SearchSolution) -> Option<Vec<State>> {
     let largest = found.forces.iter().map(Matrix::norm).fold(problem.wrench.norm(), f64::max);

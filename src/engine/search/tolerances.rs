@@ -29,7 +29,7 @@ pub(super) const MOST_WORK: usize = 500_000_000;
 
 /// An artificial viscous motion leads from the elastic trial (every contact sticks) towards an equilibrium (`object/relaxing`), and Newton's method
 /// continues from points of this motion. The result of Newton's method is taken as this equilibrium if it is near the point from which Newton's
-/// method started. Their distance must be less than this fraction of the displacement from the elastic trial to that point.
+/// method started. Their distance must be at most this fraction of the displacement from the elastic trial to that point.
 ///
 /// If smaller, this equilibrium is refused if the viscous motion has not come close enough to it yet. If larger, other equilibria, to which Newton's
 /// method has jumped, are taken for it.

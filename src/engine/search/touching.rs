@@ -6,8 +6,8 @@ use crate::contact::{Mode, State};
 use crate::object::{ForcesAndTwist, LinearProblem, Problem};
 use crate::prelude::*;
 
-/// Looks for an equilibrium in which some contacts are open and all others stick. Starts from the contact states `states` with the solution `trial`.
-/// Contacts that pull are opened, and open contacts that penetrate the object stick again, until no contact pulls or penetrates. Returns the
+/// Looks for an equilibrium in which some contacts are open and all others stick. It starts from the contact states `states` with the solution
+/// `trial`. Contacts that pull are opened, and open contacts that penetrate the object stick again, until no contact pulls or penetrates. Returns the
 /// equilibrium reached if it satisfies every condition of its contact states, otherwise `None`.
 pub(super) fn touching_contacts(
     problem: &Problem,
@@ -15,17 +15,17 @@ pub(super) fn touching_contacts(
     trial: ForcesAndTwist,
 ) -> Option<SearchSolution> {
     let mut solved = trial;
-    // `linear_problem` is `None` in the first round: the initial states have already failed the check, and are not checked again.
+    // `linear_problem` is `None` in the first round: the initial contact states have already failed the check, and are not checked again.
     let mut linear_problem = None;
     let mut changed = Vec::new();
-    // With at most this number of contacts, contacts that pull are opened one at a time, and contacts that penetrate closed one at a time. With
-    // more contacts, all of them change together.
+    // With at most 64 contacts, those that pull are opened one at a time, and those that penetrate are closed one at a time. With more contacts, all
+    // of them change together.
     let one_by_one = 64;
     // A contact usually changes its state once, if at all. The limit of the number of rounds ends cycles.
     let rounds = if states.len() > one_by_one { 20 } else { 2 * states.len() + 2 };
     for _ in 0..rounds {
-        // In a grasp of at most `one_by_one` contacts a single contact opens, since other contacts may pull only because this contact pulls. The
-        // contact with the largest initial gap opens first, and the contact that penetrates deepest closes first.
+        // With at most `one_by_one` contacts a single contact opens in a round: once it is open, other contacts may no longer pull. The contact with
+        // the largest initial gap opens first, and the contact that penetrates deepest closes first.
         let reach = |i: usize| problem.offsets[i][0];
         let depth = |i: usize| reach(i) - problem.sites[i].map.tr_mul(&solved.twist)[0];
         let may_open = |i: &usize| problem.local(*i).may_open();

@@ -1,11 +1,11 @@
-//! An equilibrium on the round cone, or a proof that none exists: branch and bound over contact states. In the elastic trial state every contact
-//! sticks.
+//! An equilibrium on the round cone, or a proof that none exists: branch and bound over contact states. The elastic trial is the solution in which
+//! every contact sticks.
 //!
-//! A case restricts the states of each contact by a [`Label`], for example to closed, or to friction directions between two angles. The first case
-//! restricts no contact. The relaxation of a case ([`super::relaxed`]) either contradicts the case, or gives every contact a stretch of its springs
-//! and a force. In some cases Newton's method starts from these stretches and forces. Unless Newton's method converges, the label of the contact
-//! whose force is farthest from its law is divided into two labels, which make two cases. Every division brings the relaxation closer to the law,
-//! until cases are contradicted or Newton's method converges.
+//! A case restricts each contact by a [`Label`], for example to being closed, or to friction directions between two angles. The first case restricts
+//! no contact. In the relaxation of a case each contact law is replaced by its convex hull ([`super::relaxed`]). The relaxation either contradicts
+//! the case, or gives every contact a stretch of its springs and a force. In some cases Newton's method starts from these stretches and forces.
+//! Unless it converges, the label of the contact whose force is farthest from its law is divided into two labels, which make two cases. Every
+//! division brings the relaxation closer to the law, until cases are contradicted or Newton's method converges.
 
 use alloc::rc::Rc;
 
@@ -25,8 +25,8 @@ use crate::proofs::ProofStep;
 #[derive(Debug, Clone)]
 pub(super) enum BranchAndBound {
     Found(SearchSolution),
-    /// Each case was proved to have no equilibrium. An equilibrium that rounding hides from this proof would be larger than the elastic trial state
-    /// by at least the factor `escape`.
+    /// Each case was proved to have no equilibrium. Rounding can hide from this proof only an equilibrium that is larger than the elastic trial by at
+    /// least the factor `escape`.
     Contradicted {
         cases: usize,
         escape: f64,
@@ -44,9 +44,9 @@ struct Case {
     divided: Option<usize>,
 }
 
-/// Whether branch and bound is needed because some contact has a round cone. Without round cones it suffices to try all combinations of states. False
-/// in a rate problem (for derivatives along a load path) with a contact on the edge of its cone. The law of such a contact has a plane facet in place
-/// of the cone.
+/// Whether branch and bound is needed because some contact has a round cone. Without round cones it suffices to try all combinations of contact
+/// states. False in a rate problem (for derivatives along a load path) with a contact on the boundary of its cone (`edge` in code names). The law of
+/// such a contact has a plane facet in place of the cone.
 pub(super) fn has_round_cones(problem: &Problem) -> bool {
     problem.locals().any(|local| local.is_round()) && !problem.locals().any(|local| local.is_on_an_edge())
 }
@@ -54,7 +54,7 @@ pub(super) fn has_round_cones(problem: &Problem) -> bool {
 /// The number of cases that costs as much as [`Settings::most_states`] combinations of contact states. Zero if no contact has a round cone, or there
 /// are more than 32 contacts.
 pub(super) fn most_cases(problem: &Problem, settings: &Settings) -> usize {
-    // With more than 32 contacts branch and bound would reach its limit of cases without a result.
+    // With more than 32 contacts branch and bound reaches its limit of cases without a result.
     if problem.len() > 32 || !has_round_cones(problem) {
         return 0;
     }
@@ -105,8 +105,8 @@ pub(super) fn search_tree(
         let (contact, error) = farthest_from_the_law(problem, &balance, &labels, &stretches, &forces);
         // Newton's method starts from every fourth case only, since it takes as long as a few cases.
         let every = 4;
-        // If the forces of a case deviate from the contact laws by less than this fraction of the elastic trial state, the case is a solution up to
-        // rounding. Newton's method then starts from it, whatever its number.
+        // If the forces of a case deviate from the contact laws by at most 1e-10 of the norm of the elastic trial forces, the case is a solution up
+        // to rounding. Newton's method then starts from it, whatever its number.
         let at_the_law = 1e-10;
         if (cases - 1) % every == 0 || error <= at_the_law {
             let from: Vec<_> = paired(&problem.offsets, &stretches, &|(a, v)| a - v);
@@ -155,7 +155,7 @@ pub(crate) fn refute(problem: &Problem, settings: &Settings) -> Option<(Vec<Proo
 }
 
 /// The contact whose label is to be divided next, and the largest distance from the law. The distance of a contact from its law is the difference
-/// between its force and the force that the law gives at its stretch. It is in energy units, divided by the norm of the elastic trial state. The
+/// between its force and the force that the law gives at its stretch. It is in energy units, divided by the norm of the elastic trial forces. The
 /// label of the contact with the largest distance is divided. The distance of a contact whose label restricts nothing yet counts three times.
 fn farthest_from_the_law(
     problem: &Problem,

@@ -1,7 +1,7 @@
 //! Contacts that touch without force neither stick nor slide. They are reported as open, with a gap of zero.
 //!
 //! Whether the search finds such a contact sticking, sliding or open depends on the rounding of its force. Friction without normal force holds
-//! nothing. Hence the solution with all such contacts open has the same forces, and it is always this solution that is returned.
+//! nothing. Hence the solution with all such contacts open has the same forces, and always this solution is returned.
 
 use nalgebra::Matrix;
 
@@ -15,8 +15,7 @@ use crate::numerics::largest;
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::object::{ForcesAndTwist, LinearProblem, Problem};
 
-/// Searches for an equilibrium of a static problem with [`settle`]. In the solution that is returned, all contacts without force that may open are
-/// open.
+/// Searches for an equilibrium of a static problem. In the solution that is returned, all contacts without force that may open are open.
 pub(crate) fn settle_at_rest(problem: &Problem, settings: &Settings) -> (SearchOutcome, SearchCounts) {
     match settle(problem, settings) {
         (SearchOutcome::Found(found, rung), effort) => {
@@ -30,16 +29,16 @@ pub(crate) fn settle_at_rest(problem: &Problem, settings: &Settings) -> (SearchO
     }
 }
 
-/// The solution in the form in which a static problem returns it: contacts without force are open, and motions that nothing resists are listed. The
-/// twist of the solution `found` is kept, and so are its sizes of terms, to which rounding errors are proportional.
+/// The solution `found` of a static problem, as answers report it: contacts without force are open, and motions that nothing resists are listed. The
+/// twist is that of `found`. So are the rounding scales `sizes`, the force and the displacement to which rounding errors are proportional.
 pub(crate) fn reported_at_rest(problem: &Problem, found: SearchSolution) -> SearchSolution {
     let open = opened(problem, &found).unwrap_or_else(|| found.clone());
     let shown = on_the_solution_interval(problem, open);
     SearchSolution { twist: found.twist, sizes: found.sizes, ..shown }
 }
 
-/// The solution with the same forces in which all contacts without force are open. `None` if there is no such contact, or if opening them would
-/// change forces or leave a gap. Also `None` if no contact carries a force: there is then no force with which a small force could be compared.
+/// The solution with the same forces in which all contacts without force are open. `None` if there is no such contact, or if forces change or
+/// contacts overlap once they are open. Also `None` if no contact carries a force: there is then no force with which a small force could be compared.
 fn opened(problem: &Problem, found: &SearchSolution) -> Option<SearchSolution> {
     let largest = largest(&found.forces, &Matrix::norm);
     // Gaps are compared with the largest displacement of all contacts, since the displacement of a single contact may be zero.
@@ -65,7 +64,7 @@ fn opened(problem: &Problem, found: &SearchSolution) -> Option<SearchSolution> {
     let linear_problem = LinearProblem::new(problem, &states);
     let ForcesAndTwist { forces, .. } =
         linear_problem.solve(problem.sites, &problem.offsets, problem.load()).ok()?;
-    // Forces that differ by less than this fraction of the largest force are the same.
+    // Forces that differ by at most the fraction `NEGLIGIBLE` of the largest force are the same.
     let are_the_same = forces.iter().zip(&found.forces).all(|(f, g)| (f - g).norm() <= NEGLIGIBLE * largest);
     let free_motions = linear_problem.free_motions().to_vec();
     let neutral_motions = linear_problem.neutral_motions();

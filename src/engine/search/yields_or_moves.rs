@@ -14,7 +14,7 @@ use crate::prelude::*;
 use crate::proofs::yields;
 use crate::{PolygonCone, PolygonFit, planar, spatial};
 
-/// Counts of random rate problems in a test. `asked` counts all of them, `proved` those for which the proof succeeds, and `held` those with an
+/// Numbers of random rate problems in a test. `asked` counts all of them, `proved` those for which the proof succeeds, and `held` those with an
 /// equilibrium in some combination of contact states.
 #[derive(Debug, Default)]
 struct Count {
@@ -43,8 +43,8 @@ fn tangent(draw: &mut Draw, tangents: usize) -> SVector<f64, 3> {
     }
 }
 
-/// A random law of a contact in a rate problem (for derivatives along a load path). `slip` is the direction in which the contact would slip; most
-/// laws are the edge of a friction cone in that direction.
+/// A random law of a contact in a rate problem (for derivatives along a load path). `slip` is the slip of the contact if the object moves along the
+/// load. Most laws are a facet of the friction cone (`Law::Edge`) with its normal along `slip`.
 fn law(draw: &mut Draw, normals: &[SVector<f64, 3>], slip: &SVector<f64, 3>) -> Law {
     let tangents = if normals.len() > 2 { 2 } else { 1 };
     match one_of(draw, 24) {
