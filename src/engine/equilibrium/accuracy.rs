@@ -42,11 +42,11 @@ pub struct Accuracy {
 }
 
 impl Engine {
-    /// Implements [`Grasp::accuracy`](crate::ask::Grasp::accuracy). `None` if the equilibrium lacks the stored solution of the engine, because it was
-    /// read from a file. `None` also for a state of a load path on the round cone in which a contact slides.
+    /// Estimated errors of an equilibrium. `None` if the equilibrium lacks the stored solution of the engine, because it was read from a file. `None`
+    /// also for an equilibrium on a load path on the round cone in which a contact slides.
     pub(crate) fn accuracy(&self, equilibrium: &Equilibrium<3>) -> Option<Accuracy> {
         let problem = self.problem_of(equilibrium)?;
-        // The slips along a load path on the round cone depend on its history, so that the present state does not determine them.
+        // The slips along a load path on the round cone depend on its history, so that the present equilibrium does not determine them.
         let slides = equilibrium.local.states.iter().any(State::slides);
         if equilibrium.rule == FoundBy::LoadPath && equilibrium.cone == Cone::Round && slides {
             return None;
@@ -62,8 +62,8 @@ impl Engine {
         let mut displacement = 0.0_f64;
         for (i, site) in self.sites().iter().enumerate() {
             let moved = site.map.tr_mul(&missing.twist).norm();
-            // The displacement of a contact is the sum of terms of the size `span`. The rounding error of storing this displacement, half a unit in
-            // the last place of these terms, is added to its error `moved` in the solution.
+            // The displacement of a contact is a sum of terms up to `span`, m. The rounding error of storing this displacement, half a unit in the
+            // last place of these terms, is added to its error `moved` in the solution.
             displacement = displacement.max(moved + 0.5 * f64::EPSILON * problem.span(i, &at.twist));
         }
         let varied = |pattern| {
@@ -139,7 +139,7 @@ impl Variation {
                 }
             }
             site.map.push(&variation.friction_changes[i], &mut variation.load);
-            // The coordinates of a contact point are varied by their own size: a relative error refers to the distance from the origin, not from
+            // The coordinates of a contact point are varied by their own magnitude: a relative error refers to the distance from the origin, not from
             // neighbouring points.
             let point = grasp
                 .contacts()

@@ -1,5 +1,5 @@
-//! The answer to `solve`, in physical quantities: an equilibrium of a grasp under a load, a proof that none exists, or undecided. Drives of joints
-//! and tendons are treated like contacts. A command is a prescribed displacement of a finger.
+//! The answer to `solve`, in physical quantities: an equilibrium of a grasp under a load, a proof that none exists, or undecided. A command is a
+//! prescribed displacement of a finger. A drive is the spring of a joint or tendon of a hand, with its force limit; it is treated like a contact.
 
 use crate::numerics::mapped;
 use nalgebra::SVector;
@@ -92,21 +92,21 @@ pub struct Equilibrium<const C: usize> {
     /// The tendons of the hand; empty without a hand.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub tendons: Vec<TendonAnswer>,
-    /// Suction cups whose lips are open all around. Such a cup would lose its vacuum, but this equilibrium still includes the pull of the
-    /// vacuum. This equilibrium is therefore not valid for the real grasp.
+    /// Suction cups whose lips are open all around. A real cup then loses its vacuum, but this equilibrium still includes the pull of the vacuum. It
+    /// is therefore not valid for the real grasp.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub open_cups: Vec<WholeContact>,
     /// The residuals of the conditions of equilibrium, such as balance of forces and contact laws, recomputed from grasp, commands and load.
     pub residuals: Residuals,
-    /// Estimated errors of this answer, see [`Grasp::accuracy`](crate::ask::Grasp::accuracy): only in the answer to the question `solve` of a scene,
-    /// else `None`.
+    /// Estimated errors of forces and displacements ([`Grasp::accuracy`](crate::ask::Grasp::accuracy)): only in the answer to the question `solve` of
+    /// a scene, else `None`.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub accuracy: Option<Accuracy>,
     /// The friction cone for which the answer was computed.
     pub cone: Cone,
-    /// The method that found this equilibrium; there may be other equilibria, see [`Grasp::equilibria`](crate::ask::Grasp::equilibria).
+    /// The method that found this equilibrium. There may be other equilibria, which [`Grasp::equilibria`](crate::ask::Grasp::equilibria) lists.
     pub rule: FoundBy,
-    /// Energy stored in the springs, including the springs of joints, `Σ ½ F²/k`, J.
+    /// Elastic energy of all springs, including those of joints and tendons, `Σ ½ F²/k`, J.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub stored_energy: f64,
     /// Unit motions that no contact resists in its present state, m and rad. Any multiple of them, of either sign, may be added to the twist, and the
@@ -119,14 +119,15 @@ pub struct Equilibrium<const C: usize> {
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub neutral_motions: Vec<Motion<C>>,
     /// On the round cone: the largest difference, N, between a contact force and its value on the polygonal cone with which the search started.
-    /// `None` if no polygon was used: if no contact slides, or if Newton's method found the equilibrium. `None` also for a state of a load path, or
-    /// if the answer itself refers to a polygonal cone.
+    /// `None` if no polygon was used: if no contact slides, or if Newton's method found the equilibrium. `None` also for an equilibrium on a load
+    /// path, or if the answer itself refers to a polygonal cone.
     #[cfg_attr(
         feature = "serde",
         serde(default, with = "AsComputed::<Option<f64>>", skip_serializing_if = "Option::is_none")
     )]
     pub change_from_polygon: Option<f64>,
-    /// Counts of the work of the search for this equilibrium; only the number of pivots of Lemke's method is serialised.
+    /// The effort of the search for this equilibrium: numbers of pivots of Lemke's method, of complementary pairs, and of combinations of contact
+    /// states. Only the number of pivots is serialised.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub work: WorkDone,
     /// The engine's own solution: contact states, drive forces, motions and offsets in its coordinates. Further questions about this equilibrium
@@ -151,15 +152,16 @@ impl<const C: usize> Equilibrium<C> {
         self.contacts.iter().map(|contact| contact.force.norm()).fold(load, f64::max)
     }
 
-    /// This answer as written to a file and read back: without the engine's solution `local`, and of `work` only with the number of pivots.
+    /// This answer as if it had been written to a file and read back: without the engine's solution `local`, and with `work` reduced to the number of
+    /// pivots.
     #[cfg(feature = "serde")]
     pub(crate) fn written(self) -> Self {
         let work = WorkDone { pivots: self.work.pivots, ..WorkDone::default() };
         Self { work, local: LocalAnswer::default(), ..self }
     }
 
-    /// Whether the answer still has the engine's solution `local`, and that solution belongs to a grasp with `sites` contacts and drives in total.
-    /// Without `local`, calls that start from the answer, such as `accuracy`, return `None`.
+    /// True if the answer still has the engine's solution `local`, and that solution belongs to a grasp with `sites` contacts and drives in total. If
+    /// it lacks `local`, calls that start from the answer, such as `accuracy`, return `None`.
     pub(crate) fn knows_all_of(&self, sites: usize) -> bool {
         self.local.states.len() == sites && self.contacts.len() + self.local.drive_forces.len() == sites
     }
@@ -192,7 +194,7 @@ pub(crate) struct LocalAnswer {
     pub(crate) cones: Vec<Coulomb>,
 }
 
-/// Counts of the work of a search for an equilibrium, and of the complementary pairs that its complementarity problems did not need.
+/// The effort of a search for an equilibrium: numbers of pivots of Lemke's method, of complementary pairs, and of combinations of contact states.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -203,8 +205,8 @@ pub struct WorkDone {
     /// Number of complementary pairs of the largest complementarity problem that the search made.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub rows_made: usize,
-    /// Complementary pairs that the search left out of the kinematic form (the complementarity problem for gaps and slips), and why. With them the
-    /// form would cover all gaps and facets of all contacts.
+    /// Complementary pairs that the search left out of the kinematic form (the complementarity problem for gaps and slips), and why. A form without
+    /// omissions has one pair for each gap and one for each facet of every contact.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub rows_left_out: Vec<OmittedPairs>,
     /// Combinations of contact states that were tried one by one.
@@ -220,7 +222,7 @@ pub struct WorkDone {
 pub struct Undecided {
     /// The reason why it is undecided whether an equilibrium exists.
     pub doubt: Doubt,
-    /// Counts of the work of the search; not serialised.
+    /// The effort of the search: numbers of pivots of Lemke's method, of complementary pairs, and of combinations of contact states. Not serialised.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub work: WorkDone,
 }

@@ -28,7 +28,7 @@ impl AnswerFor {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum Cone {
-    /// The friction cone in the plane. It has two edges, and needs no approximation by a polygon.
+    /// The friction cone in the plane. Two lines bound it (its facets), and it needs no approximation by a polygon.
     Planar,
     /// A polygonal cone that replaces the round cone in space.
     Polygon(PolygonCone),

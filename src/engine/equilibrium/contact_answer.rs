@@ -36,14 +36,13 @@ pub struct ContactAnswer<const C: usize> {
     /// frictionless contact it is the displacement of the surfaces past each other.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
     pub slip: SVector<f64, C>,
-    /// Distance of the contact force from the edge of its friction cone, N, for a sticking contact: `μ F_n - |F_t|` in the plane and on the round
-    /// cone, on a polygonal cone the least of `μ F_n - h·F_t` over its facet normals h. Infinite if the contact is bonded or has infinite friction.
-    /// Zero for a sliding, separated or frictionless contact.
+    /// Margin of a sticking contact, N: `μ F_n - |F_t|` in the plane and on the round cone, on a polygonal cone the least of `μ F_n - h·F_t` over its
+    /// facet normals h. Infinite if the contact is bonded or has infinite friction. Zero for a sliding, separated or frictionless contact.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub margin: f64,
-    /// Flag: true if the state is certain up to rounding; false if the last digits of the given numbers decide between it and a neighbouring state,
-    /// such as sticking and sliding. See [`Grasp::distinct`](crate::ask::Grasp::distinct). `None` if this was not computed; it is computed in answers
-    /// to the question `solve` of a scene.
+    /// True if the contact state is certain in spite of rounding ([`Grasp::distinct`](crate::ask::Grasp::distinct)). False if the last digits of the
+    /// given numbers decide between it and a neighbouring contact state, such as sticking and sliding. `None` if this was not computed; it is
+    /// computed in answers to the question `solve` of a scene.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub distinct: Option<bool>,
     /// Displacement u_c of the contact point as a point of the rigid body, without the deformation of its surface, along the coordinate axes, m.
@@ -82,7 +81,7 @@ impl<const C: usize> ContactAnswer<C> {
         self.force[0]
     }
 
-    /// Size of the tangential force, `|F_t|`, N.
+    /// Magnitude of the tangential force, `|F_t|`, N.
     #[must_use]
     pub fn friction_force(&self) -> f64 {
         self.force.iter().skip(1).fold(0.0, |h: f64, f| h.hypot(*f))
@@ -128,7 +127,7 @@ pub enum ContactState<const C: usize> {
     /// force.
     #[doc(alias = "rolling")]
     Sticking,
-    /// Closed and on the edge of its cone: gap = 0, `|F_t| = μ F_n`, F_t along the slip.
+    /// Closed and sliding, with the force on the boundary of its cone: gap = 0, `|F_t| = μ F_n`, F_t along the slip.
     Sliding {
         /// Unit direction, along the coordinate axes, in which the finger slips over the body; friction pulls the body in this direction.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]

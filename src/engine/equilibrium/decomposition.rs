@@ -23,7 +23,6 @@ pub struct Decomposition<const C: usize> {
 }
 
 impl Engine {
-    /// Implements [`Statics::decompose`](crate::ask::Statics::decompose).
     pub(crate) fn decompose(&self, equilibrium: &Equilibrium<3>) -> Decomposition<3> {
         let contact = |i: usize| equilibrium.contacts.get(i);
         let carries: Vec<bool> =

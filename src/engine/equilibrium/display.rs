@@ -24,8 +24,8 @@ impl<const C: usize> fmt::Display for Outcome<C> {
     }
 }
 
-/// Writes one line for the object's motion, then one for each contact: its state, its force in the contact frame and the margin to the edge of its
-/// cone. The points of a soft fingertip share a line. Joints and tendons of a hand follow, one line each.
+/// Writes one line for the object's motion, then one for each contact: its state, its force in the contact frame and its margin. The points of a soft
+/// fingertip share a line. Joints and tendons of a hand follow, one line each.
 impl<const C: usize> fmt::Display for Equilibrium<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let words = Words::of(f);
@@ -127,7 +127,7 @@ impl<const C: usize> Equilibrium<C> {
         mapped(&self.bodies, &|body| words.body_motion(body))
     }
 
-    /// A warning if a motion [is not small](Self::too_far); otherwise `None`.
+    /// A warning if a motion [is not small](Self::too_far), the grasp buckles, or a suction cup leaks; otherwise `None`.
     #[must_use]
     pub fn caution(&self, words: Words) -> Option<String> {
         self.too_far.as_ref().map(|far| far.caution(words))

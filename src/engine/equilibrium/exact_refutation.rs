@@ -1,13 +1,13 @@
 //! Checks a case-by-case proof of no equilibrium ([`Refutation`](super::Refutation)) in exact rational arithmetic, on the numbers of the problem.
 //!
-//! A case restricts the states in which each contact may be. Its proof is a virtual motion of the object with virtual contact forces. These forces
-//! are first made to balance one another exactly, by changing six of their components. The gain of the case is the work of these forces along the
-//! offsets (commanded displacements of fingers minus clearances), minus the work of the load along the motion. The gain must be positive.
+//! A case restricts the state of each contact by a label. Its proof is a virtual motion of the object with virtual contact forces. These forces are
+//! first made to balance one another exactly, by changing six of their components. The gain of the case is the work of these forces along the offsets
+//! (commanded displacements of fingers minus clearances), minus the work of the load along the motion. The gain must be positive.
 //!
 //! In each case the contact law is relaxed to a convex cone: a polygon around an arc of friction directions replaces the arc. For each generator of
-//! this cone, the virtual work divided by the square root of the generator's energy must not exceed a bound. The bound is the gain divided by
-//! [`ESCAPE`] (1e4) and by the size of the elastic trial state, in which every contact sticks. An equilibrium that rounding hides from the proof
-//! would then be at least [`ESCAPE`] times larger than that state.
+//! this cone, the virtual work divided by the generator's norm must not exceed a bound. The bound is the gain divided by [`ESCAPE`] (1e4) and by the
+//! norm of the elastic trial, the solution in which every contact sticks. Norms are those of stretches and forces in energy units, √J. Rounding can
+//! then hide from the proof only an equilibrium with at least [`ESCAPE`] times the norm of the elastic trial.
 
 use core::f64::consts::FRAC_PI_8;
 
@@ -56,7 +56,7 @@ impl Exact {
     }
 
     /// Generators of the convex cone to which the contact law is relaxed. Each is a pair of vectors, N: the stretches of the contact's springs times
-    /// their stiffnesses, and the contact force. `label` restricts the states of the contact in the present case. The contact must have finite
+    /// their stiffnesses, and the contact force. `label` restricts the state of the contact in the present case. The contact must have finite
     /// friction and must be able to open.
     fn generators(&self, label: &Label) -> Vec<[[Rational; 3]; 2]> {
         let zero = Rational::zero;
@@ -106,8 +106,8 @@ fn around(from: f64, to: f64) -> Vec<[Rational; 2]> {
     let half = 0.25 * (to - from) / f64::from(pieces);
     let point = |angle: f64, reach: f64| {
         let (sin, cos) = angle.sin_cos();
-        // The corners are moved outwards by this fraction, more than the rounding errors of sines and cosines, so that the polygon surely contains
-        // the arc.
+        // The corners are moved outwards by the fraction 1e-15, more than the rounding errors of sines and cosines, so that the polygon surely
+        // contains the arc.
         [cos, sin].map(|x| exact(x * reach * (1.0 + 1e-15)))
     };
     let corner = |k: i32| point(from + f64::from(2 * k + 1) * half, 1.0 / half.cos());
@@ -148,8 +148,7 @@ fn balanced(contacts: &[Exact], forces: &[SVector<f64, 3>]) -> Vec<Rational> {
 }
 
 /// Whether a virtual motion and virtual contact forces contradict a case in exact arithmetic. The case is given by a label for each contact, which
-/// says in which states the contact may be. `data` is the size of the elastic trial state, in which every contact sticks: the square root of an
-/// energy.
+/// restricts its state. `data` is the norm of the elastic trial, √J.
 fn is_contradicted(
     problem: &Problem,
     contacts: &[Exact],
@@ -206,7 +205,7 @@ fn every_leaf_is_contradicted_in_exact_arithmetic() -> Result<(), crate::Error> 
         let escape = check(&problem, &steps).expect("a proof");
         let laws = problem.sites.iter().zip(problem.locals()).zip(&problem.offsets);
         let contacts: Vec<_> = laws.map(|(law, offset)| Exact::new(law, offset)).collect();
-        // As in `check`, the size of the elastic trial state, in which every contact sticks, is the square root of twice its spring energy.
+        // As in `check`, the norm of the elastic trial is the square root of twice its spring energy.
         let trial = problem.trial();
         let state = trial.solve(problem.sites, &problem.offsets, problem.load()).expect("it is held");
         let stored = problem.sites.iter().zip(&state.forces).map(|(s, f)| 2.0 * s.springs.stored(f));

@@ -1,5 +1,5 @@
-//! States and torques of the joints and tendons of a hand in an equilibrium. A drive is the spring of a joint or tendon, with the motor or clutch
-//! behind it.
+//! States and torques of the joints and tendons of a hand in an equilibrium. A drive is the spring of a joint or tendon, with its force limit. At
+//! this limit the drive yields: its motor or clutch gives way at constant force.
 
 use nalgebra::SVector;
 
@@ -86,8 +86,8 @@ pub enum DriveState {
     Absent,
 }
 
-/// State, torque or tension, and yielded displacement of a joint or tendon, combined from its drives. A joint or tendon that yields at a
-/// constant force is modelled by two drives.
+/// State, torque or tension, and yielded displacement of a joint or tendon. A drive that yields at constant force is modelled by two springs in
+/// series, one for each bound of the force; their states and displacements are combined here.
 struct CombinedDrives {
     carried: f64,
     state: DriveState,
@@ -159,8 +159,8 @@ impl Engine {
     }
 }
 
-/// The margin of a joint or tendon to the force limit of its drive, N m or N: the limit minus the magnitude of the force `carried`. Zero while the
-/// drive yields, infinite without a force limit.
+/// The margin of a joint or tendon, N m or N: the force limit of its drive minus the magnitude of the force `carried`. Zero while the drive yields,
+/// infinite without a force limit.
 fn margin(named: &NamedPart, carried: f64, state: DriveState) -> f64 {
     match named.limit {
         None => f64::INFINITY,

@@ -1,5 +1,5 @@
-//! The change of each contact force due to a force of any direction at a point, while contacts keep their states. A drive of a joint or tendon is
-//! treated like a contact.
+//! The change of each contact force due to a force of any direction at a point, while contacts keep their states. A drive, the spring of a joint or
+//! tendon of a hand, is treated like a contact.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -11,8 +11,8 @@ use crate::prelude::*;
 /// The influence matrix of a contact: column k is its contact force if a force of 1 N along coordinate axis k acts at a given point.
 pub(crate) struct Influence {
     pub(crate) of: SMatrix<f64, 3, 3>,
-    /// The size of the terms that add up to the contact force, N, summed over the three unit forces. The rounding error of the matrix `of` is
-    /// proportional to it.
+    /// The rounding scale of the matrix `of`, N: the magnitude of the terms that add up to the contact force, summed over the three unit forces. The
+    /// rounding error of the matrix is proportional to it.
     pub(crate) size: f64,
 }
 
@@ -65,8 +65,7 @@ mod tests {
         Engine::new(vec![finger(0.3, 9.0), finger(2.2, 11.0), finger(4.4, 10.0)]).expect("three fingers")
     }
 
-    /// Returns two values. The first is the direction in which a force of 2 N at `point` brings the thumb's contact force closest to the edge of its
-    /// friction cone. The second is the distance of the contact force from this edge, N, that remains under the added force.
+    /// Returns the direction in which a force of 2 N at `point` leaves the least margin μ F_n - |F_t| at the thumb (contact 0), and this margin, N.
     fn worst_for_the_thumb(grasp: &Engine, weight: &Wrench<3>, point: [f64; 3]) -> (SVector<f64, 3>, f64) {
         let response = StickingResponse::new(grasp, &Settings::default());
         let force = response.forces(&grasp.offsets(), &grasp.load_unchecked(weight)).expect("resists").of[0];
@@ -77,8 +76,8 @@ mod tests {
         (-influence.gradient_of(&worst).normalize(), margin(&worst))
     }
 
-    /// If a force is added in the computed worst direction, the thumb has the computed margin (distance of its force from the edge of its friction
-    /// cone). None of 400 other directions of the added force leaves a smaller margin.
+    /// If a force is added in the computed worst direction, the thumb (contact 0) has the computed margin μ F_n - |F_t|. None of 400 other directions
+    /// of the added force leaves a smaller margin.
     #[test]
     fn no_equilibrium_leaves_less_at_the_thumb() {
         let (grasp, weight, point) =

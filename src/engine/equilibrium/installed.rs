@@ -12,11 +12,11 @@ use crate::prelude::*;
 use crate::search::Settings;
 
 impl Engine {
-    /// This grasp with commands of its links (joints between bodies) such that each link with a given tension has this tension without load. An
-    /// error if the grasp cannot hold that tension. Called after a change of the grasp; without links with a given tension nothing changes.
+    /// This grasp with commands of its links such that each link with a given tension has this tension without load. An error if the grasp cannot
+    /// hold that tension. If no link has a given tension, nothing changes.
     pub(crate) fn installed(self) -> Result<Self, Error> {
-        // The given tension of a link may be zero, because a factor on the squeeze (all commands) multiplies given tensions, too, and may be zero.
-        // Such a link keeps its command.
+        // The given tension of a link may be zero, because a factor on the squeeze (all that presses without a load) multiplies given tensions, too.
+        // If the tension is zero, the link keeps its command.
         let wanted = |contact: &Contact<3>| contact.at_rest.filter(|tension| *tension > 0.0);
         let pressed: Vec<(usize, f64)> =
             self.contacts().iter().enumerate().filter_map(|(i, contact)| Some((i, wanted(contact)?))).list();
@@ -33,12 +33,12 @@ impl Engine {
                 .zip(&pressed)
                 .map(|(missing, (_, force))| missing.abs() / force)
                 .fold(0.0, f64::max);
-            // Newton's method ends once the error of every tension, relative to that tension, is at most this.
+            // Newton's method ends once the error of every tension, relative to that tension, is at most `SOLVED_ROUNDING`.
             if worst <= SOLVED_ROUNDING {
                 break;
             }
-            // Derivatives are difference quotients: the command of a link is changed by this fraction of its spring's stretch under its tension. The
-            // fraction is so small that contacts hardly ever change state. If no contact changes its state, the quotient is exact.
+            // Derivatives are difference quotients: the command of a link is changed by the fraction `nudge` of its spring's stretch under its
+            // tension. The fraction is so small that contacts hardly ever change their states. If none does, the quotient is exact.
             let nudge = 1e-3;
             // Column k is for the command of link k, which grows by `nudge` times the stretch of its spring. The entries are the decreases of all
             // missing tensions (given minus present tension).
@@ -55,8 +55,8 @@ impl Engine {
             }
             missing = self.missing(&commands, &pressed)?;
         }
-        // Newton's method has failed if the tension of a link is off by more than this fraction: the other contacts and links cannot balance this
-        // tension.
+        // Newton's method has failed if the tension of a link is off by more than the fraction `NEGLIGIBLE`: the other contacts and links cannot
+        // balance this tension.
         match missing.iter().zip(&pressed).find(|(missing, (_, force))| missing.abs() > NEGLIGIBLE * force) {
             Some((_, (i, force))) => Err(self.not_held(*i, *force)),
             None => self.with_commands(&commands),

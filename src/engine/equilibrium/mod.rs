@@ -12,13 +12,18 @@
 //! | sticking | `F = K (a - G_iᵀq)` | `F_n >= 0`, `\|F_t\| <= μ F_n` |
 //! | sliding | `F_n = k_n (a_n - n·u_c)`, `\|F_t\| = μ F_n` | `F_n >= 0`, slip `s = a_t - t·u_c - F_t/k_t` along F_t |
 //!
-//! The states remain to be found. Several methods ([`FoundBy`]) propose them, in this order, the cheapest first: everything sticks; everything that
-//! touches sticks; Newton's method, in space and with many contacts; Lemke's method on the complementarity problem for slips and gaps, then on the
-//! problem for forces (see [`forms`](crate::forms)); every combination of states, with few contacts. In space Newton's method solves for the round
-//! cone, first from a start near the state in which everything sticks, then from proposals of Lemke's method on a polygonal cone. If both starts
-//! fail, branch and bound over states and directions of friction finds an equilibrium or a proof that none exists. The linear problem of the proposed
-//! states is solved again, and every condition is checked. Residuals are recomputed from the numbers given for grasp and load before the answer is
-//! called an [`Equilibrium`].
+//! The contact states remain to be found. Several methods ([`FoundBy`]) propose them, in this order, the cheapest first:
+//!
+//! 1. Everything sticks.
+//! 2. Everything that touches sticks.
+//! 3. Newton's method, in space and with many contacts.
+//! 4. Lemke's method on the complementarity problem for slips and gaps, then on the problem for forces ([`forms`](crate::forms)).
+//! 5. Every combination of contact states, with few contacts.
+//!
+//! In space Newton's method solves for the round cone. It starts near the solution in which everything sticks, later from proposals of Lemke's method
+//! on a polygonal cone. If both starts fail, branch and bound over contact states and directions of friction finds an equilibrium or a proof that
+//! none exists. The linear problem of the proposed contact states is solved again, and every condition is checked. Residuals are recomputed from the
+//! numbers given for grasp and load before the answer is called an [`Equilibrium`].
 //!
 //! If no equilibrium is found, the answer is a [`Proof`] that none exists, or [`Undecided`], with the reason. A proof is a motion that nothing
 //! resists, or a motion that separates the load from all admissible contact forces. Other proofs tried all contact states, or contradicted all cases

@@ -25,7 +25,7 @@ pub struct NoEquilibrium<const C: usize> {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum Proof<const C: usize> {
-    /// No contact resists this unit motion in any state, and the load does work along it.
+    /// No contact resists this unit motion in any contact state, and the load does work along it.
     FreeMotion {
         /// The unit motion, signed so that the load does positive work along it; its norm is one, as for
         /// [`Equilibrium::free_motions`](super::Equilibrium::free_motions). The norm combines the translation of the centroid of the contacts, and
@@ -53,15 +53,15 @@ pub enum Proof<const C: usize> {
         combinations: usize,
     },
     /// On the round cone: contact states were divided into cases, open or closed, sticking or sliding, friction between two angles. In each case a
-    /// linear combination of the conditions contradicts the contact laws, even when these laws are relaxed to convex sets. Beyond the first slip or
-    /// the end of a load path a single case may be enough, in the plane too: once all contacts on the edge of their cones slide, nothing resists a
-    /// motion.
+    /// linear combination of the conditions contradicts the contact laws, even when these laws are relaxed to convex sets. Just beyond the first slip
+    /// or the end of a load path a single case may be enough, in the plane too: if all contacts on the boundary of their cones slide, nothing resists
+    /// a motion.
     EveryCaseContradicted {
         /// Number of cases into which the contact states were divided.
         cases: usize,
-        /// The safety factor of the proof against rounding, at least 1e4. The elastic trial is the state in which every contact sticks. An
-        /// equilibrium that rounding hides from the proof is larger than this state by at least this factor. Both are measured by the square root of
-        /// their elastic energy.
+        /// The safety factor of the proof against rounding, at least 1e4. The elastic trial is the solution in which every contact sticks. Rounding
+        /// can hide from the proof only an equilibrium that is larger than the elastic trial by at least this factor. Both are measured by the norm
+        /// of stretches and forces in energy units, √J.
         escape: f64,
     },
 }

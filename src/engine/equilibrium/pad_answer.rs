@@ -35,8 +35,8 @@ pub struct PadAnswer<const C: usize> {
     /// is along the axes of the contact frame, the torsion first; in the plane it is positive from x to y.
     pub wrench: Wrench<C>,
     /// Unused friction of the fingertip, N: the sum of the [margins](ContactAnswer::margin) of its points, `Σ (μ F_n - |F_t|)`. At the same normal
-    /// forces the pad can carry an additional tangential force of this size in any direction. Each point then takes a part equal to its own margin.
-    /// Zero if the pad slides everywhere or is open; infinite if friction is unlimited.
+    /// forces the pad can carry an additional tangential force of this magnitude in any direction. Each point then takes a part equal to its own
+    /// margin. Zero if the pad slides everywhere or is open; infinite if friction is unlimited.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub margin: f64,
 }
@@ -140,14 +140,13 @@ impl<const C: usize> WholeAnswer<'_, C> {
         }
     }
 
-    /// Size of the friction force, N.
+    /// Magnitude of the friction force, N.
     #[must_use]
     pub fn friction_force(&self) -> f64 {
         self.force().iter().skip(1).fold(0.0, |h: f64, f| h.hypot(*f))
     }
 
-    /// Distance of the contact force from the edge of its friction cone, N; for a fingertip the sum over its points. See [`ContactAnswer::margin`]
-    /// and [`PadAnswer::margin`].
+    /// Unused friction μ F_n - |F_t|, N ([`ContactAnswer::margin`]); for a fingertip the sum over its points ([`PadAnswer::margin`]).
     #[must_use]
     pub fn margin(&self) -> f64 {
         match self {
@@ -224,7 +223,7 @@ impl Engine {
                 add(axes + turn, space.displacement_of(&arm, &unit).dot(&contact.force_world));
             }
         }
-        // A sum of forces or moments below this fraction of the sizes of its terms is rounding.
+        // A sum of forces or moments below 1e-14 of the sum of the absolute values of its terms is rounding.
         let clean = |[sum, size]: &[f64; 2]| if sum.abs() <= 1e-14 * size { 0.0 } else { *sum };
         Wrench::among(space, &Vector::from_slice(&sums.iter().map(clean).list()))
     }

@@ -1,8 +1,8 @@
 //! Exact derivatives of forces and motion with respect to one datum (a given number of the grasp or its load), while contacts keep their states.
 //!
-//! In known states the contact law is linear: the contact force is `F_i = K_i (a_i - G_iᵀq)`, with the offset a_i (commanded displacement minus
-//! clearance and slip), the grasp map G_i and the twist q. K_i depends on stiffness, friction and state. The derivative with respect to any datum z
-//! takes one more solve with the same factors. W is the load, and v_i = a_i - G_iᵀq the stretch:
+//! In known contact states the contact law is linear: the contact force is `F_i = K_i (a_i - G_iᵀq)`, with the offset a_i (commanded displacement
+//! minus clearance and slip), the grasp map G_i and the twist q. K_i depends on stiffness, friction and contact state. The derivative with respect to
+//! any datum z takes one more solve with the same factors. W is the load, and v_i = a_i - G_iᵀq the stretch:
 //!
 //! ```text
 //! dF_i = K_i (da_i - G_iᵀdq) + f_i,   f_i = (∂K_i/∂z) v_i,      Σ G_i dF_i + dW = 0
@@ -11,10 +11,10 @@
 //! ```
 //!
 //! Here p is the friction force of a sliding contact divided by its limit μ F_n. e_a is the unit vector along axis a of the contact frame, e_n that
-//! along the normal. F_a and F_n are the components of the contact force along these axes, k_a and k_n the stiffnesses. The "part
-//! across the facet" is the part along the facet's normal: the contact slides along this normal, so that friction along it stays at its limit. The
-//! stretches v are taken as F/k, so that no difference of large displacements is needed. A change dG_i of the grasp map (see `geometry`) changes the
-//! stretch by `-dG_iᵀq` and the balance by `dG_i F_i`.
+//! along the normal. F_a and F_n are the components of the contact force along these axes, k_a and k_n the stiffnesses. The "part across the facet"
+//! is the part along the facet's normal: the contact slides along this normal, so that friction along it stays at its limit. The stretches v are
+//! taken as F/k, so that no difference of large displacements is needed. A change dG_i of the grasp map (file `geometry`) changes the stretch by
+//! `-dG_iᵀq` and the balance by `dG_i F_i`. A drive is the spring of a joint or tendon of a hand, with its force limit.
 
 use nalgebra::SVector;
 
@@ -77,7 +77,7 @@ pub enum Parameter {
         /// Index of the joint, from 0, finger by finger. Tendons are counted after all joints.
         joint: usize,
     },
-    /// Greatest torque or force of the drive (motor with spring) of a joint, or greatest tension of a tendon, N m or N.
+    /// Force limit of the drive of a joint or tendon: the greatest torque or force of a joint, or the greatest tension of a tendon, N m or N.
     JointLimit {
         /// Index of the joint, from 0, finger by finger. Tendons are counted after all joints.
         joint: usize,
@@ -175,8 +175,8 @@ impl StickingResponse<'_> {
     }
 
     /// The derivative of one contact's grasp map with respect to the position of its point (per metre) or the direction of its normal (per radian).
-    /// `None` if the axis is out of range, and for the position of a contact of a hand. `None` also if a motion that is free at present would be
-    /// resisted in the changed geometry: the derivative of that motion is then not defined.
+    /// `None` if the axis is out of range, and for the position of a contact of a hand. `None` also if springs resist a motion in the changed
+    /// geometry that is free at present: the derivative of that motion is then not defined.
     fn map_change(&self, contact: usize, by: Parameter) -> Option<Map> {
         let site = &self.problem.sites[contact];
         let change = match by {
@@ -194,8 +194,8 @@ impl StickingResponse<'_> {
             let alone = self.problem.local(contact).springs.stiffest() * change.norm() * motion.norm();
             let response = self.state(&offsets, &Vector::zeros());
             // A free motion, which no spring resists, stays free if the forces that it causes in the changed geometry are only rounding. Forces up to
-            // the fraction `NEGLIGIBLE` of `alone` count as rounding: `alone` is the force that the same displacement, at this contact alone, would
-            // cause in its stiffest spring.
+            // the fraction `NEGLIGIBLE` of `alone` count as rounding. If nothing else gives way, `alone` is an upper bound of the force that the
+            // displacement causes in the stiffest spring of the contact.
             response.is_some_and(|response| {
                 response.forces.iter().all(|force| force.norm() <= NEGLIGIBLE * alone)
             })

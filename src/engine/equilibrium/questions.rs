@@ -18,7 +18,6 @@ use crate::search::{
 };
 
 impl Engine {
-    /// Implements [`Grasp::solve`](crate::ask::Grasp::solve).
     pub(crate) fn solve(&self, load: &Wrench<3>, settings: &Settings) -> Result<Outcome<3>, Error> {
         let problem = self.problem_under(load, settings)?;
         let (mut settled, effort) = settle_at_rest(&problem, settings);
@@ -39,7 +38,6 @@ impl Engine {
         }
     }
 
-    /// Implements [`Grasp::equilibria`](crate::ask::Grasp::equilibria).
     pub(crate) fn equilibria(
         &self,
         load: &Wrench<3>,
@@ -73,7 +71,7 @@ impl Engine {
         }
         // On the round cone, the search for all equilibria, above, starts Newton's method from equilibria on a polygonal cone. A polygon inside the
         // round cone may allow no equilibrium, or none near an equilibrium on the round cone. Newton's method then misses the equilibrium on the
-        // round cone, and therefore the search of `solve` is made, too.
+        // round cone. Therefore the search of `solve` is made, too, which has other starts.
         if problem.round
             && let (SearchOutcome::Found(found, rule), effort) = settle(&problem, settings)
         {
@@ -83,8 +81,8 @@ impl Engine {
         Ok(list)
     }
 
-    /// The equilibrium problem of this grasp under a load, with the friction cone of the settings. Returns an error if the load is invalid, or the
-    /// limits of rotation, slip and opening up to which motions count as small.
+    /// The equilibrium problem of this grasp under a load, with the friction cone of the settings. Returns an error if the load is invalid, or if the
+    /// limits up to which rotations, slips and openings count as small are invalid.
     pub(super) fn problem_under(&self, load: &Wrench<3>, settings: &Settings) -> Result<Problem<'_>, Error> {
         settings.small_motions.check()?;
         let polygon = Polygon::shared(self.space(), &settings.cone);
@@ -136,9 +134,9 @@ impl Engine {
     }
 }
 
-/// Whether no residual exceeds the tolerance of an equilibrium: 1e-12 on the round cone, otherwise 1e-10 ([`ACCURATE`]).
+/// True if every residual is within the tolerance of an equilibrium: 1e-12 on the round cone, otherwise 1e-10 ([`ACCURATE`]).
 fn accurate(equilibrium: &Equilibrium<3>) -> bool {
-    // Tolerance of residuals on the round cone; a larger residual means that Newton's method has not converged.
+    // If a residual on the round cone exceeds 1e-12, Newton's method has not converged.
     let most = if equilibrium.cone == Cone::Round { 1e-12 } else { ACCURATE };
     equilibrium.residuals.worst() <= most
 }
@@ -147,7 +145,7 @@ fn accurate(equilibrium: &Equilibrium<3>) -> bool {
 /// differ.
 fn same(problem: &Problem, a: &SearchSolution, b: &SearchSolution) -> bool {
     let size = |found: &SearchSolution| problem.largest_force(&found.forces, &found.twist);
-    // Solutions are the same if forces and motions differ by less than this fraction of the largest force or motion.
+    // Solutions are the same if forces and motions differ by at most the fraction `NEGLIGIBLE` of the largest force or motion.
     let force = NEGLIGIBLE * size(a).max(size(b));
     let motion = NEGLIGIBLE * a.twist.norm().max(b.twist.norm());
     let moves_freely = !a.free_motions.is_empty() && !b.free_motions.is_empty();

@@ -25,21 +25,21 @@ struct SiteAnswer<'a> {
     slip: SVector<f64, 3>,
 }
 
-/// The law of one contact or drive, and the sizes of force and displacement by which its residuals are divided.
+/// The law of one contact or drive, and the force and displacement by which its residuals are divided.
 struct ContactLaw<'c> {
     site: &'c Site,
     friction: Coulomb,
     polygon: &'c Polygon,
     cone: Cone,
-    /// Size of forces by which residuals of force are divided, N.
+    /// Divisor of residuals of force, N: the largest force of the grasp, with a lower bound.
     force_size: f64,
-    /// Size of displacements by which residuals of displacement are divided, m.
+    /// Divisor of residuals of displacement, m: the sum of the magnitudes of the contact's displacements, with a lower bound.
     displacement_size: f64,
 }
 
 impl Residuals {
-    /// Takes one contact or drive into account: raises each residual to that of this contact, if it is larger. The residual of equilibrium, which all
-    /// contacts have together, stays unchanged.
+    /// Takes one contact or drive into account: raises each residual to that of this contact, if the latter is larger. The residual of equilibrium,
+    /// which all contacts have together, stays unchanged.
     fn note(&mut self, law: &ContactLaw<'_>, site_answer: &SiteAnswer<'_>) {
         let ContactLaw { site, friction, polygon, cone, force_size, displacement_size } = *law;
         let SiteAnswer { force: f, gap: g, separated, stretch, slip: s } = *site_answer;
@@ -112,7 +112,7 @@ impl Engine {
             let own = problem.offsets[i].norm() + contact.clearance.abs() + give;
             let moved =
                 translated.norm() + turned * contact.point.norm() + self.displacement_by_joints(i, twist).1;
-            // Residuals are divided by sizes (N or m) of at least `SMALLEST` (1e-250): products of subnormal numbers have no relative precision.
+            // Divisors of residuals (N or m) are at least `SMALLEST` (1e-250): products of subnormal numbers have no relative precision.
             (own + moved + answers[i].gap.abs() + slip(i).norm()).max(displacement_terms).max(SMALLEST)
         });
         for (k, site_answer) in of_drives.iter().enumerate() {
@@ -124,9 +124,9 @@ impl Engine {
         }
         let largest =
             answers.iter().fold(load_force.norm().max(force_terms), |most, c| most.max(c.force.norm()));
-        // The displacements of a contact that hardly moves may be rounding of larger displacements elsewhere. The size by which its residuals are
-        // divided is therefore at least this fraction of the largest size of all contacts. It is also at least the stretch of the stiffest spring
-        // under the largest force.
+        // The displacements of a contact that hardly moves may be rounding of larger displacements elsewhere. The divisor of its residuals is
+        // therefore at least 1e-20 of the largest divisor of all contacts. It is also at least the stretch of the stiffest spring under the largest
+        // force.
         let still = 1e-20 * displacement_sizes.iter().copied().fold(0.0, f64::max);
         let still = still.max(problem.least_stretch(largest));
         for displacement_size in &mut displacement_sizes {
@@ -161,8 +161,8 @@ impl Engine {
         r
     }
 
-    /// The displacement of a contact due to joints and other bodies, along the coordinate axes, m. Also the sum of the sizes of its terms, m. Both
-    /// are zero for contacts on a single object that no joint moves.
+    /// The displacement of a contact due to joints and other bodies, along the coordinate axes, m. Also the sum of the magnitudes of its terms, m.
+    /// Both are zero for contacts on a single object that no joint moves.
     fn displacement_by_joints(&self, contact: usize, twist: &Vector) -> (SVector<f64, 3>, f64) {
         let (mut sum, mut size) = (SVector::zeros(), 0.0);
         let Some(linkage) = self.linkage() else { return (sum, size) };
@@ -198,7 +198,7 @@ impl Engine {
     }
 
     /// The largest relative imbalance of generalised forces at joints and at bodies other than the object. Each imbalance is divided by the sum of
-    /// the sizes of its terms, but at least by the force `force_size`. Zero if the grasp has neither joints nor other bodies.
+    /// the absolute values of its terms, but at least by the force `force_size`. Zero if the grasp has neither joints nor other bodies.
     fn joints_out_of_balance(
         &self,
         load: &Wrench<3>,
@@ -259,11 +259,11 @@ impl Engine {
             force_size += contact.suction;
             moment_size += contact.point.norm() * contact.suction;
         }
-        // If no contact carries a force, the computed forces are rounding. Their size is proportional to the force that displacements could
-        // cause in a spring.
+        // If no contact carries a force, the computed forces are rounding errors, proportional to the force that displacements could cause in a
+        // spring.
         force_size += spring_force;
-        // The resultant moment is divided by the sum of the absolute values of all moments, plus the size of forces times the root mean square lever
-        // arm.
+        // The resultant moment is divided by the sum of the absolute values of all moments, plus the divisor of forces times the root mean square
+        // lever arm.
         moment_size += force_size * self.length();
         let force = space.linear_part::<3>(&sum).norm();
         let moment = sum.iter().take(space.of_the_object()).skip(axes).map(|m| m * m).sum::<f64>().sqrt();

@@ -11,9 +11,9 @@ use crate::search::{self, Settings};
 ///
 /// Contact states are divided into cases: open or closed, sticking or sliding, friction between two angles. Each case is contradicted by a virtual
 /// motion of the object and virtual contact forces that balance one another. In an equilibrium the total virtual work of this motion and these forces
-/// is positive. But in the states of the case no contact can contribute positive work. [`Self::check`] recomputes both statements from the numbers
-/// given for grasp and load, in closed form for every contact, and checks that no case is missing. The check does not depend on the search that found
-/// the proof.
+/// is positive. But in the contact states of the case no contact can contribute positive work. [`Self::check`] recomputes both statements from the
+/// numbers given for grasp and load, in closed form for every contact, and checks that no case is missing. The check does not depend on the search
+/// that found the proof.
 #[derive(Debug, Clone)]
 pub struct Refutation<const C: usize> {
     steps: Arc<[ProofStep]>,
@@ -35,7 +35,6 @@ impl<const C: usize> Refutation<C> {
 }
 
 impl Engine {
-    /// Implements [`Grasp::refutation`](crate::ask::Grasp::refutation).
     pub(crate) fn refutation(
         &self,
         load: &Wrench<3>,
@@ -45,7 +44,6 @@ impl Engine {
         Ok(search::refute(&problem, settings).map(|(steps, cases)| Refutation { steps: steps.into(), cases }))
     }
 
-    /// Implements [`Refutation::check`].
     pub(crate) fn check_refutation(
         &self,
         proof: &Refutation<3>,

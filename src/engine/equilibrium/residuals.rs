@@ -1,5 +1,5 @@
-//! Residuals of an answer: by how much it violates each condition. A finger's offset is its command (a prescribed displacement) minus clearance; an
-//! event is a change of contact states on a load path. A bonded contact neither opens nor slips.
+//! Residuals of an answer: by how much it violates each condition. A finger's offset is its command (a prescribed displacement) minus clearance. A
+//! bonded contact neither opens nor slips. A load path is a sequence of equilibria; an event is a change of contact states at one point of it.
 
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
@@ -9,17 +9,17 @@ use crate::serial::AsComputed;
 ///
 /// Residuals are recomputed from points, frames, stiffnesses, commands and load, not from data of the solver. Forces are divided by the largest
 /// contact force or load, but at least by 1e-25 of the least force that the displacements could cause in a spring, so that the divisor is not zero.
-/// Displacements of a contact are divided by the sum of the sizes of its own displacements. Products of force and displacement are divided by the
-/// product of these two divisors. On a load path only the slip since the contact states were last determined is used, for example since the last
+/// Displacements of a contact are divided by the sum of the magnitudes of its own displacements. Products of force and displacement are divided by
+/// the product of these two divisors. On a load path only the slip since the contact states were last determined is used, for example since the last
 /// event.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Residuals {
-    /// Equilibrium: the imbalance `|Σ F_i + W|` of contact forces and load, divided by a size of forces. This size is the sum of the sizes of all
-    /// terms, plus the least force that a contact's displacements could cause in its spring. The imbalance of moments is divided by the size of
-    /// moments: the sizes of all moments, plus the size of forces times the root mean square lever arm of the contacts. The residual is the larger of
+    /// Equilibrium: the imbalance `|Σ F_i + W|` of contact forces and load, divided by a force. This divisor is the sum of the magnitudes of all
+    /// terms, plus the least force that a contact's displacements could cause in its spring. The imbalance of moments has another divisor: the sum of
+    /// the magnitudes of all moments, plus the divisor of forces times the root mean square lever arm of the contacts. The residual is the larger of
     /// the two ratios. For a hand and for several bodies it also covers every joint and body.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub equilibrium: f64,
@@ -28,8 +28,8 @@ pub struct Residuals {
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub springs: f64,
     /// Friction cone: `max(0, -F_n)`, and `max(0, |F_t| - μ F_n)` divided by 1 + μ. On a polygonal cone the largest `h·F_t` over the facet normals h
-    /// takes the place of |F_t|. Only for contacts whose force the cone limits: not for contacts that are bonded, and without the first term for
-    /// contacts that are kept closed (see [`Hold`](crate::grasp::Hold)).
+    /// takes the place of |F_t|. Zero for bonded contacts, whose force no cone limits. The first term is left out for contacts that are kept closed
+    /// ([`Hold`](crate::grasp::Hold)), whose normal force may pull.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub cone: f64,
     /// Penetration: `max(0, -g)`; `|g|` of a bonded contact.

@@ -2,9 +2,9 @@
 //! stiffnesses. One factorisation serves all of them. In the engine's coordinates moments and rotations refer to the centroid of the contacts. An
 //! offset of a finger is its command (a prescribed displacement) minus clearance.
 //!
-//! Each load, command or small change causes forces of all contacts, then of the drives of a hand (springs of joints and tendons), in this order. If
-//! everything sticks, the forces under unit loads are the columns of the influence matrix of the grasp. [`Edges`] are the conditions on the force of
-//! a contact under which the contact keeps its state; callers check them for a sum of such forces.
+//! Forces are listed for all contacts, then for the drives of a hand (springs of joints and tendons), which are treated like contacts. A contact that
+//! sticks keeps its state if its force satisfies linear conditions: F is inside every facet of the friction cone, or on the round cone
+//! `|F_t| <= μ F_n`. Code names call these conditions [`Edges`].
 
 use alloc::sync::Arc;
 
@@ -24,12 +24,12 @@ pub(crate) struct StickingResponse<'g> {
     pub(super) problem: Problem<'g>,
     pub(crate) states: Vec<State>,
     pub(crate) linear_problem: Arc<LinearProblem>,
-    /// For each contact and drive, the conditions on its force under which it keeps its state: sticking or open.
+    /// For each contact and drive, the conditions under which it keeps its state: on its force if it sticks, on its gap if it is open.
     pub(crate) edges: Vec<Edges>,
 }
 
-/// Forces of all contacts and drives, N, in `of`. For each force `sizes` has the size of the terms that add up to this force, N. The rounding error
-/// of the force is proportional to this size.
+/// Forces of all contacts and drives, N, in `of`. For each force `sizes` has its rounding scale, N: the magnitude of the terms that add up to the
+/// force, to which the rounding error is proportional.
 #[derive(Debug, Clone)]
 pub(crate) struct ContactForces {
     pub(crate) of: Vec<SVector<f64, 3>>,
@@ -103,16 +103,16 @@ impl<'g> StickingResponse<'g> {
         self.forces(&self.at_rest(), &self.grasp.inside_unchecked(load))
     }
 
-    /// Forces and motion under the finger offsets `offsets` and the load `load`, in the engine's coordinates. `None` if in the contact states of
-    /// this response no forces balance the load.
+    /// Forces and motion of the object under the finger offsets `offsets` and the load `load`, in the engine's coordinates. `None` if in the contact
+    /// states of this response no forces balance the load.
     pub(crate) fn state(&self, offsets: &[SVector<f64, 3>], load: &Vector) -> Option<ForcesAndTwist> {
         self.linear_problem.solve(self.problem.sites, offsets, load).ok()
     }
 }
 
 impl Engine {
-    /// The least margin of all contacts and drives under a load, as a fraction of the largest force. The margin is the distance, N, of a contact
-    /// force from the edge of its friction cone or from opening. The forces are computed as if every contact stuck, so that a margin may be negative:
+    /// The least margin of all contacts and drives under a load, as a fraction of the largest force. The margin is the unused friction
+    /// `μ F_n - |F_t|`, or without friction the normal force, N. The forces are computed as if every contact stuck, so that a margin may be negative:
     /// the force is then outside its cone. `None` if the load is invalid, if nothing resists it, or if all forces are zero.
     pub(crate) fn sticking_margin(&self, load: &Wrench<3>, settings: &Settings) -> Option<f64> {
         let sticking = StickingResponse::new(self, settings);
