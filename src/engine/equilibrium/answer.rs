@@ -110,12 +110,12 @@ pub struct Equilibrium<const C: usize> {
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub stored_energy: f64,
     /// Unit motions that no contact resists in its present state, m and rad. Any multiple of them, of either sign, may be added to the twist, and the
-    /// forces do not depend on it. Their norm is one, defined as for `twist`: the displacement of a joint, too, is multiplied by its reference
-    /// length. Empty if every motion is resisted.
+    /// forces do not depend on it. Their norm is one; it is the norm by which `twist` is the least, with the displacement of each joint times its
+    /// reference length. Empty if every motion is resisted.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub free_motions: Vec<Motion<C>>,
     /// Unit motions along which the object stays in equilibrium while its forces change: this equilibrium is a point of a whole line of equilibria.
-    /// Their norm is one, defined as for `free_motions`. Usually empty; not empty, for example, if friction just keeps a wedge from sliding.
+    /// Their norm is one, as that of `free_motions`. Usually empty; not empty, for example, if friction just keeps a wedge from sliding.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub neutral_motions: Vec<Motion<C>>,
     /// On the round cone: the largest difference, N, between a contact force and its value on the polygonal cone with which the search started.
@@ -152,8 +152,7 @@ impl<const C: usize> Equilibrium<C> {
         self.contacts.iter().map(|contact| contact.force.norm()).fold(load, f64::max)
     }
 
-    /// This answer as if it had been written to a file and read back: without the engine's solution `local`, and with `work` reduced to the number of
-    /// pivots.
+    /// This answer as it comes back from a file: without the engine's solution `local`, and with the number of pivots as its only `work`.
     #[cfg(feature = "serde")]
     pub(crate) fn written(self) -> Self {
         let work = WorkDone { pivots: self.work.pivots, ..WorkDone::default() };

@@ -8,7 +8,6 @@ use crate::object::{Load, Problem};
 use crate::prelude::*;
 use crate::search::{Settings, SmallMotions};
 
-/// The friction cone for which an answer is computed, and the limits up to which its motions count as small.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct AnswerFor {
     pub(crate) cone: Cone,

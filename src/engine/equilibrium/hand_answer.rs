@@ -29,15 +29,15 @@ pub struct JointAnswer {
     /// Displacement φ of the joint from the posture in which the contacts were given, rad or m.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub displacement: f64,
-    /// Torque on the joint along its displacement φ, N m or N: the sum of the torques of its own drive, of couplings with other joints, of tendons,
-    /// and of constant torques. This torque balances the contact forces F and the external torque τ_ext on the joint: `τ = Σ Jᵀ F - τ_ext` with the
+    /// Torque on the joint along its displacement φ, N m or N. It is the sum of the torques of its own drive, of couplings with other joints, of
+    /// tendons, and of constant torques. It balances the contact forces F and the external torque τ_ext on the joint: `τ = Σ Jᵀ F - τ_ext` with the
     /// Jacobians J of the contacts.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub torque: f64,
     /// Torque of the joint's own drive, without constant torques, N m or N; zero without a drive.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub drive: f64,
-    /// Margin of the drive's torque or force to its greatest allowed value, N m or N: this value minus |drive|; infinite if there is no such value.
+    /// Margin of the drive, N m or N: the greatest allowed torque or force minus |drive|; infinite if there is no force limit.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub margin: f64,
     /// Displacement by which the joint's own drive has given way in addition to its spring, `θ - φ - drive/k`, rad or m. Here θ is the command, φ the

@@ -65,7 +65,8 @@ mod tests {
         Engine::new(vec![finger(0.3, 9.0), finger(2.2, 11.0), finger(4.4, 10.0)]).expect("three fingers")
     }
 
-    /// Returns the direction in which a force of 2 N at `point` leaves the least margin μ F_n - |F_t| at the thumb (contact 0), and this margin, N.
+    /// Returns a direction and a margin, N. A force of 2 N at `point` in this direction leaves the least margin μ F_n - |F_t| at the thumb (contact
+    /// 0).
     fn worst_for_the_thumb(grasp: &Engine, weight: &Wrench<3>, point: [f64; 3]) -> (SVector<f64, 3>, f64) {
         let response = StickingResponse::new(grasp, &Settings::default());
         let force = response.forces(&grasp.offsets(), &grasp.load_unchecked(weight)).expect("resists").of[0];

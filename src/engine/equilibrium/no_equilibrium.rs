@@ -54,8 +54,8 @@ pub enum Proof<const C: usize> {
     },
     /// On the round cone: contact states were divided into cases, open or closed, sticking or sliding, friction between two angles. In each case a
     /// linear combination of the conditions contradicts the contact laws, even when these laws are relaxed to convex sets. Just beyond the first slip
-    /// or the end of a load path a single case may be enough, in the plane too: if all contacts on the boundary of their cones slide, nothing resists
-    /// a motion.
+    /// or the end of a load path a single case may be enough, in the plane too. All contacts on the boundary of their cones then slide, and nothing
+    /// resists a motion.
     EveryCaseContradicted {
         /// Number of cases into which the contact states were divided.
         cases: usize,

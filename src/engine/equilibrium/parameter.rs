@@ -77,7 +77,7 @@ pub enum Parameter {
         /// Index of the joint, from 0, finger by finger. Tendons are counted after all joints.
         joint: usize,
     },
-    /// Force limit of the drive of a joint or tendon: the greatest torque or force of a joint, or the greatest tension of a tendon, N m or N.
+    /// Force limit of the drive of a joint or tendon, N m or N: greatest torque or force of a joint, or greatest tension of a tendon.
     JointLimit {
         /// Index of the joint, from 0, finger by finger. Tendons are counted after all joints.
         joint: usize,
@@ -203,8 +203,8 @@ impl StickingResponse<'_> {
         self.linear_problem.free_motions().iter().all(stays_free).then_some(change)
     }
 
-    /// The derivative of a contact's force with respect to its coefficient of friction μ at constant spring stretches v: (∂K/∂μ) v, with the tangent
-    /// stiffness K of the contact.
+    /// The derivative of a contact's force with respect to its coefficient of friction μ, at constant spring stretches v. It is (∂K/∂μ) v, with the
+    /// tangent stiffness K of the contact.
     fn by_friction(&self, contact: usize, force: &SVector<f64, 3>) -> SVector<f64, 3> {
         let state = &self.states[contact];
         if !state.slides() {

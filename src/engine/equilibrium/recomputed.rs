@@ -94,7 +94,7 @@ impl Engine {
         cone: Cone,
     ) -> Residuals {
         let [force_terms, displacement_terms] = found.sizes;
-        // The comparisons below ignore NaN, so that an answer with NaN would seem exact. Its residuals are infinite instead.
+        // The comparisons below ignore NaN and find no violation in an answer with NaN. Its residuals are therefore set to infinity here.
         if !answers.iter().all(is_finite) || !twist.iter().all(|x| x.is_finite()) {
             return Residuals::NONE_HOLDS;
         }

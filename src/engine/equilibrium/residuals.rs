@@ -8,7 +8,7 @@ use crate::serial::AsComputed;
 /// the round cone) is called an equilibrium.
 ///
 /// Residuals are recomputed from points, frames, stiffnesses, commands and load, not from data of the solver. Forces are divided by the largest
-/// contact force or load, but at least by 1e-25 of the least force that the displacements could cause in a spring, so that the divisor is not zero.
+/// contact force or load. This divisor is at least 1e-25 of the least force that the displacements could cause in a spring, so that it is not zero.
 /// Displacements of a contact are divided by the sum of the magnitudes of its own displacements. Products of force and displacement are divided by
 /// the product of these two divisors. On a load path only the slip since the contact states were last determined is used, for example since the last
 /// event.
@@ -18,9 +18,9 @@ use crate::serial::AsComputed;
 #[non_exhaustive]
 pub struct Residuals {
     /// Equilibrium: the imbalance `|Σ F_i + W|` of contact forces and load, divided by a force. This divisor is the sum of the magnitudes of all
-    /// terms, plus the least force that a contact's displacements could cause in its spring. The imbalance of moments has another divisor: the sum of
-    /// the magnitudes of all moments, plus the divisor of forces times the root mean square lever arm of the contacts. The residual is the larger of
-    /// the two ratios. For a hand and for several bodies it also covers every joint and body.
+    /// terms, plus the least force that a contact's displacements could cause in its spring. The imbalance of moments has another divisor. It is the
+    /// sum of the magnitudes of all moments, plus the divisor of forces times the root mean square lever arm of the contacts. The residual is the
+    /// larger of the two ratios. For a hand and for several bodies it also covers every joint and body.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub equilibrium: f64,
     /// Contact springs: `|F/k - (a - u_c + g - s)|` axis by axis, with the finger's offset a and the body's displacement u_c. The gap g is along the

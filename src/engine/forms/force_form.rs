@@ -1,5 +1,5 @@
-//! The force form of a grasp: a linear complementarity problem (LCP) `0 <= z ⟂ w = M z + q >= 0` whose unknowns z are contact forces, magnitudes of
-//! slips and the twist q of the object. The compliances of the springs are on the diagonal of its matrix.
+//! The force form of a grasp: a linear complementarity problem (LCP) whose unknowns are contact forces, magnitudes of slips and the twist q of the
+//! object. The compliances of the springs are on the diagonal of its matrix.
 //!
 //! The unknowns of an LCP are not negative, so the twist is split into a positive and a negative part. A spring that both pushes and pulls needs no
 //! complementary pair: its force is linear in q. Such springs are those of bonded contacts, of contacts kept closed, and along tangents with infinite

@@ -1,5 +1,5 @@
-//! The two linear complementarity problems of a grasp under a load, for callers with a solver of their own: the kinematic form has gaps and slips as
-//! unknowns, the force form contact forces.
+//! The two linear complementarity problems of a grasp under a load, for callers with a solver of their own. The unknowns of the kinematic form are
+//! gaps and slips, those of the force form contact forces.
 
 use super::force_form::force_form;
 use super::kinematic::kinematic_form;

@@ -1,8 +1,8 @@
 //! Solves the linear problem of a grasp with known contact states (open, sticking or sliding) and at least 36 coordinates in its twist q. Every
-//! contact couples only a few of them. Contact i has the grasp map G_i and the tangent stiffness C_i. Row r of the matrix A is the stretch of spring
-//! r per unit of each coordinate, times the square root of its stiffness (the scaled stretch). Row r of B is the direction in which this spring
-//! pushes, with the same factor. The tangent stiffness is T. Under the load W, scaled spring forces x (forces divided by the root of the stiffness)
-//! at zero motion become x - A q:
+//! contact couples only a few of them. Contact i has the grasp map G_i and the tangent stiffness C_i. Row r of the matrix A has the stretches of
+//! spring r per unit of each coordinate, times the square root of the spring's stiffness (scaled stretches). Row r of B is the direction in which
+//! this spring pushes, with the same factor. x are the scaled spring forces, i.e. forces divided by the root of the stiffness, while the object does
+//! not move. Under the load W the object moves by q, and they become x - A q, with the tangent stiffness T:
 //!
 //! ```text
 //! T = BᵀA = Σ G_i C_i G_iᵀ,      T q = Bᵀx + W,      x - A q
@@ -26,8 +26,7 @@ use crate::prelude::*;
 
 /// Whether the tangent stiffness is factorised as a band matrix, which is done from 36 coordinates on.
 pub(crate) fn uses_band(coordinates: Size) -> bool {
-    // With fewer coordinates orthogonal factors take no longer, and determine the rank. Measured with orthogonal factors in place of a band matrix:
-    // four bodies in space take a third less time, but nine bricks in the plane more than twice as much.
+    // With fewer coordinates orthogonal factors take less time (for four bodies in space a third less), and they determine the rank.
     coordinates.count() >= 36
 }
 

@@ -79,10 +79,10 @@ pub(crate) fn newton_on_cones(
     newton(problem, (twist, settled, f64::MIN_POSITIVE), contacts, &on_cones(problem))
 }
 
-/// Newton's method from the twist `twist`. It ends when the norm of the imbalance is at most the fraction `settled` of a sum, N: the norms of all
-/// contact forces, the norm of the load, and `beside`. An imbalance up to `settled * beside` is thus accepted even if all forces are zero, because it
-/// may be rounding. Returns the twist, the number of steps, and the remaining imbalance; `None` if the iteration does not converge. The list
-/// `contacts` is overwritten, and finally holds the responses at the returned twist.
+/// Newton's method from the twist `twist`. It ends when the norm of the imbalance is at most the fraction `settled` of a sum of forces, N. The sum
+/// has the norms of all contact forces, the norm of the load, and `beside`. An imbalance up to `settled * beside` is thus accepted even if all forces
+/// are zero, because it may be rounding. Returns the twist, the number of steps, and the remaining imbalance; `None` if the iteration does not
+/// converge. The list `contacts` is overwritten, and finally holds the responses at the returned twist.
 ///
 /// A step that does not reduce the norm of the imbalance enough is halved: otherwise the method may alternate between two states of a contact. If no
 /// shorter step reduces the norm enough, the whole step is taken.

@@ -153,8 +153,8 @@ fn sorted_null_vectors(
             stretches.iter_mut().zip(of_known).for_each(|(x, known)| *x += known * part);
         }
         let length = dot(&stretches, &stretches).sqrt();
-        // A unit motion is free if it hardly stretches any spring: the norm of the scaled stretches is at most 1e-11 of the largest scaled stretch of
-        // a spring under any unit motion. If the motion does stretch a spring, even a soft one, the ratio of the two is above 1e-6.
+        // A unit motion is free if it hardly stretches any spring. The norm of the scaled stretches is then at most 1e-11 of the largest scaled
+        // stretch of a spring under any unit motion. If the motion does stretch a spring, even a soft one, the ratio of the two is above 1e-6.
         if length <= 1e-11 * side.longest {
             apart.unstretched.push(v);
             continue;

@@ -46,7 +46,7 @@ pub(crate) struct Problem<'g> {
     pub(crate) wrench: Vector,
     /// Rounding error of the load `wrench`, exact minus rounded, from moving its moment to the centroid of the contacts. Zero in the rate problem.
     pub(crate) wrench_rounding_error: Vector,
-    /// True if a contact with infinite friction is treated as a contact with a very large coefficient of friction, which has facets of a friction
+    /// True if a contact with infinite friction is treated as if its coefficient of friction were very large. Such a contact has facets of a friction
     /// cone and may slide.
     pub(crate) infinite_friction_has_edges: bool,
     /// True if the round cone limits friction forces in space, so that the polygon only serves to propose contact states. If false, the polygon
@@ -238,9 +238,9 @@ impl<'g> Problem<'g> {
         self.each(|local| local.yielding())
     }
 
-    /// A copy of `states` with new slides for the contacts that slide on the round cone. A slide is the direction of the friction force and the ratio
-    /// λ of slip to friction force, m/N: λ = slip·friction/|friction|², or 0 if this is negative. The slip is computed at `twist`. A contact without
-    /// friction force keeps its state.
+    /// A copy of `states` with new slides for the contacts that slide on the round cone. A slide has two parts: the direction of the friction force,
+    /// and the ratio λ of slip to friction force, m/N. λ is slip·friction/|friction|², or 0 if this is negative. The slip is computed at `twist`. A
+    /// contact without friction force keeps its state.
     pub(crate) fn slid_on(
         &self,
         states: &[State],

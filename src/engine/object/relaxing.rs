@@ -10,8 +10,8 @@
 //! ```
 //!
 //! At every twist the contact forces follow from the contact law, with slip where the spring force is beyond the friction cone. The object then moves
-//! as if every contact had a dashpot, with a viscosity in proportion to the contact's stiffness. Steps in nearly the same direction are made longer.
-//! The steps approach one equilibrium. This equilibrium is stable, and as long as it remains stable, it varies continuously with loads, commands and
+//! as if every contact had a dashpot with a damping constant in proportion to its stiffness. Steps in nearly the same direction are made longer. The
+//! steps approach one equilibrium. This equilibrium is stable, and as long as it remains stable, it varies continuously with loads, commands and
 //! friction.
 
 use super::newton::{on_cones, respond};
@@ -35,8 +35,7 @@ pub(crate) struct SpringDashpotRelaxation<'p, 'a> {
     stuck: Vector,
     twist: Vector,
     last: Option<Vector>,
-    /// Factor, at least 1, by which the last step was longer than the displacement `T⁻¹R` that the imbalance R of forces causes in the stuck grasp of
-    /// stiffness T.
+    /// Length of the last step divided by the length of `T⁻¹R`, at least 1.
     step_factor: f64,
     steps: usize,
     /// The next twist is returned once the estimated remaining displacement is at most this fraction of the displacement from the start.

@@ -1,5 +1,5 @@
-//! Rounding scales of forces, N, and of displacements, m. The rounding scale of a value is the number to which its rounding error is proportional: as
-//! a rule the largest of the terms that it is computed from. Code names call it `size` or, for the terms of a stretch, `span`.
+//! Rounding scales of forces, N, and of displacements, m. The rounding scale of a value is the number to which its rounding error is proportional. As
+//! a rule it is the largest of the terms from which the value is computed. Code names call it `size` or, for the terms of a stretch, `span`.
 
 use crate::numerics::{IntoList, Vector};
 use nalgebra::SVector;

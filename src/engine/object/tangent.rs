@@ -1,5 +1,5 @@
 //! The tangent stiffness T of the object. It follows from the tangent stiffness C_i of each contact: the derivative of the contact force F_i with
-//! respect to the stretch, in the present state. With the grasp maps G_i and the load W, a Newton step dq of the twist for the imbalance R is
+//! respect to the stretch, in the present contact state. With the grasp maps G_i and the load W, a Newton step dq of the twist for the imbalance R is
 //!
 //! ```text
 //! R = Σ G_i F_i + W,     T = Σ G_i C_i G_iᵀ,     dq = T⁻¹R,     F_i -= C_i G_iᵀ dq

@@ -30,8 +30,9 @@ pub(super) const NEARLY_CORRECTED: f64 = 1e-8;
 /// computed force by a factor of about 1e-16. This limit then ends the refinement.
 pub(super) const MOST_CORRECTIONS: usize = 4;
 
-/// Upper limit of the number of steps of the relaxation in `relaxing`, from the position in which everything sticks towards an equilibrium; as a rule
-/// ten to thirty steps are made. With fewer steps, Newton's method may return to an unstable equilibrium that the relaxation has passed.
+/// Upper limit of the number of steps of the relaxation, an artificial motion from the position in which everything sticks towards an equilibrium
+/// (file `relaxing`). As a rule ten to thirty steps are made. With fewer steps, Newton's method may return to an unstable equilibrium that the
+/// relaxation has passed.
 pub(super) const RELAXING_STEPS: usize = 300;
 
 /// The object has nearly relaxed once its estimated remaining displacement is below this fraction of its displacement from the position at which

@@ -1,5 +1,5 @@
-//! Approximate states of many contacts by Tresca friction: each contact has a given largest friction force, its limit, independent of its normal
-//! force.
+//! Approximate contact states (open, sticking, sliding) of many contacts by Tresca friction: each contact has a given largest friction force, its
+//! limit, independent of its normal force.
 //!
 //! If friction limits do not depend on normal forces, each contact force F_i is the gradient of a convex energy φ_i of the stretch. The stretch is
 //! `a_i - G_iᵀq`, with the offset a_i (commanded displacement minus clearance and slip), the grasp map G_i and the twist q of the object. Forces
@@ -12,7 +12,7 @@
 //! Newton's method finds the minimum of this energy from any start. As regularisation the Newton matrix keeps a fraction of the stiffness that is
 //! lost at sliding and open contacts; as a rule this fraction decreases. From the normal forces F_n at the minimum follow new friction limits μ F_n,
 //! and the minimum is computed again. This is repeated in at most 30 rounds, until no contact changes its state and the limits change by at most the
-//! fraction 1e-4. The states are a proposal: some may be wrong.
+//! fraction 1e-4. The contact states are a proposal: some may be wrong.
 //!
 //! Source: J. Haslinger, I. Hlaváček, J. Nečas, Numerical methods for unilateral problems in solid mechanics, Handbook of Numerical Analysis IV
 //! (1996): friction as a fixed point of problems with given friction.
@@ -226,8 +226,8 @@ impl GivenLimits {
                 let next: Vec<f64> = paired(q, &step, &|(q, step)| q + step * part);
                 present = self.answers(&next);
                 let rises = -dot(&present.imbalance, &step);
-                // Line search: the step is shortened, at most eight times, while the energy to be minimised (head of this file) still rises at the
-                // end of the step. A rate of rise up to the fraction `SUFFICIENT_DECREASE` of the initial rate of descent is accepted.
+                // Line search: the step is shortened, at most eight times, while the energy Σ φ_i - W·q still rises at the end of the step. A rate of
+                // rise up to the fraction `SUFFICIENT_DECREASE` of the initial rate of descent is accepted.
                 if rises <= SUFFICIENT_DECREASE * falls || shorter == 8 {
                     *q = next;
                     break;

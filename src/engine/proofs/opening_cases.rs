@@ -40,8 +40,8 @@ pub(crate) fn nothing_holds(here: &Problem, past: &Problem) -> bool {
         })
 }
 
-/// Whether the linear system `Γ x + w = 0` has a row for this contact. Its first rows are the equations of equilibrium. Then comes, in the order of
-/// contacts, one inequality for each contact that may open or has friction.
+/// Whether the linear system `Γ x + w = 0` has a row for this contact. The first rows of the system are the equations of equilibrium. The further
+/// rows are inequalities, in the order of contacts: one for each contact that may open or has friction.
 fn has_row(local: &LocalLaw<'_>) -> bool {
     local.pairs() > 0
 }
@@ -50,8 +50,8 @@ fn rows(problem: &Problem) -> usize {
     problem.size().count() + problem.locals().filter(has_row).count()
 }
 
-/// Number of axes along which the force of a closed contact follows from its springs: all axes of a bonded contact, which neither opens nor slides,
-/// otherwise the normal alone. Friction is then a separate unknown.
+/// Number of axes along which the force of a closed contact follows from its springs. A bonded contact, which neither opens nor slides, has all of
+/// its axes. Any other contact has the normal alone; its friction is a separate unknown.
 fn springs(local: &LocalLaw<'_>) -> usize {
     if local.is_bonded() { local.springs.axes() } else { 1 }
 }

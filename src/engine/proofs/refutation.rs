@@ -32,8 +32,8 @@ pub(crate) enum ProofStep {
     Contradicted { motion: Vector, forces: Vec<SVector<f64, 3>> },
 }
 
-/// Checks a proof that no equilibrium exists, without searching. The proof may miss an equilibrium because of rounding. Returns a lower bound of a
-/// ratio: the norm of stretches and forces of such an equilibrium, in energy units (√J), divided by that norm of the elastic trial. `None` if the
+/// Checks a proof that no equilibrium exists, without searching. The proof may miss an equilibrium because of rounding. Returns a lower bound of the
+/// norm of such an equilibrium, divided by the norm of the elastic trial. The norm is that of stretches and forces in energy units, √J. `None` if the
 /// steps omit a case or do not contradict it, or if the lower bound is below [`ESCAPE`].
 pub(crate) fn check(problem: &Problem, steps: &[ProofStep]) -> Option<f64> {
     let trial = problem.trial();
@@ -65,8 +65,8 @@ pub(crate) fn check(problem: &Problem, steps: &[ProofStep]) -> Option<f64> {
     (open.is_empty() && least >= ESCAPE).then_some(least)
 }
 
-/// Searches for a proof, with a single case, that no equilibrium exists with the given offsets and load. Returns a lower bound of the ratio by which
-/// an equilibrium that rounding hides must exceed the elastic trial (in the norm, √J, of stretches and forces). `None` without a proof.
+/// Searches for a proof, with a single case, that no equilibrium exists with the given offsets and load. Rounding may hide an equilibrium from the
+/// proof. Returns a lower bound of the norm, √J, of its stretches and forces, divided by that norm of the elastic trial. `None` without a proof.
 ///
 /// In a rate problem (for derivatives along a load path), all contacts that may slide or open are assumed to do so. The tangent stiffness
 /// `Σ G_i C_i G_iᵀ` of the object may then be singular; C_i is the tangent stiffness and G_i the grasp map of contact i. A left null vector is a
@@ -105,8 +105,8 @@ fn escape(problem: &Problem, labels: &[Label], motion: &Vector, forces: &[SVecto
         size += 2.0 * (local.springs.stored(phi) + local.springs.stored(&pushed));
         worst = worst.max(local.most_work(&labels[i], phi, &u));
     }
-    // The imbalance of virtual forces may be 1e-13 of a sum of norms: those of their wrenches, and those of the wrenches of the spring forces along
-    // the virtual motion. Such an imbalance hides an equilibrium only if its motion is 1e13 times as large as that of the elastic trial.
+    // The imbalance of virtual forces may be 1e-13 of a sum of norms. The sum is over their wrenches and over the wrenches of the spring forces that
+    // the virtual motion causes. Such an imbalance hides an equilibrium only if its motion is 1e13 times as large as that of the elastic trial.
     let is_balanced = unbalanced.norm() <= 1e-13 * balanced_size;
     (is_balanced && gain > 0.0).then(|| gain / worst.max(LEAST_WORK * size.sqrt()))
 }

@@ -25,8 +25,8 @@ use crate::numerics::{
 use crate::object::Problem;
 use crate::prelude::*;
 
-/// The round friction cone of a contact, or one generator of a cone that is not round (a ray through a corner, or the ray of a one-dimensional cone).
-/// In the augmented Lagrangian it responds to a motion with a force.
+/// The round friction cone of a contact, or one generator (ray) of a cone that is not round. In the augmented Lagrangian it responds to a motion with
+/// a force.
 struct PenalisedCone {
     /// The coordinates that move the contact. Each has its position in the order of elimination, and its row of the contact's grasp map. The grasp
     /// map is scaled so that a unit force along the first axis has a wrench of length one.
@@ -88,8 +88,8 @@ pub(super) enum Residual {
     Nothing,
 }
 
-/// The residual after some rounds of the augmented Lagrangian: the part of the load that no admissible contact forces balance, if the load is first
-/// scaled to length one. `is_proof` decides whether a residual, taken as a motion, proves that no contact forces balance the load. Otherwise the
+/// The residual after some rounds of the augmented Lagrangian: the part of the load that no admissible contact forces balance. The load is first
+/// scaled to length one. `is_proof` decides whether a residual, taken as a motion, proves that no contact forces balance the load. If none does, the
 /// result tells why nothing is proved.
 pub(super) fn residual_of_many(problem: &Problem, is_proof: &dyn Fn(&Vector) -> bool) -> Residual {
     let Some(mut pushed) = AugmentedLagrangian::of(problem) else {

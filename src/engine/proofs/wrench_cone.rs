@@ -9,7 +9,7 @@
 //!
 //! is a **separating motion**: γ·v >= 0 for all generators (no admissible contact force does negative work along v) and W·v = |v|² > 0 (the load does
 //! positive work along v). Stiffness, commands and history play no part in this. A separation is **clear**, beyond rounding, under two conditions.
-//! |v| exceeds 1e-9 of the load, and an equilibrium that rounding hides from the proof would have forces of at least 1e4 times load and commands.
+//! |v| exceeds 1e-9 of the load, and rounding can hide from the proof only an equilibrium with forces of at least 1e4 times load and commands.
 //!
 //! A round cone has infinitely many generators. But the generator that does the most negative work along a motion v is known. With the grasp map G_i
 //! of its contact, the contact point moves by u = G_iᵀv, along the tangents by u_t. The generator then lies along `e_n - μ u_t/|u_t|`, with the unit
@@ -76,8 +76,8 @@ pub(crate) fn nearest_forces(
     // Generators of round cones that have been added to the sum. `nearest` identifies each generator by a number, its tag; their tags follow those of
     // `straight`.
     let mut joined: Vec<Generator> = Vec::new();
-    // Upper limit of the number of generators that are added: two hundred, and four more for each coordinate of a motion; above `MOST_COORDINATES`
-    // coordinates only two hundred. The limit is reached only if the target is near the boundary of the sum of all round cones: each new generator
+    // Upper limit of the number of generators that are added: two hundred, and four more for each coordinate of a motion. Above `MOST_COORDINATES`
+    // coordinates it is two hundred. The limit is reached only if the target is near the boundary of the sum of all round cones. Each new generator
     // then reduces the distance from the target only by a constant factor.
     let each = if size.count() <= MOST_COORDINATES { 4 } else { 0 };
     let mut joins_left = 200 + each * size.count();
@@ -118,8 +118,8 @@ struct LoadAndCones<'p, 'g> {
     straight: Vec<Generator>,
     load: f64,
     /// The magnitude of load and commands, N: the norm of the load, plus the norms of the springs' wrenches while the commands act and the object
-    /// does not move. A proof that the load is unbalanced is accepted only if rounding can hide from it only an equilibrium with forces of at least
-    /// [`ESCAPE`] (1e4) times this magnitude.
+    /// does not move. Rounding may hide an equilibrium from a proof that the load is unbalanced. The proof is accepted if all such equilibria have
+    /// forces of at least [`ESCAPE`] (1e4) times this magnitude.
     data: f64,
 }
 

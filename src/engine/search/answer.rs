@@ -19,7 +19,7 @@ use crate::prelude::*;
 pub enum FoundBy {
     /// Everything sticks: the elastic trial, in which all contacts stick, satisfies every condition. No complementarity problem was solved.
     EverythingSticks,
-    /// Everything that touches sticks: contacts that would pull if they stuck are open, and all others satisfy every condition while they stick. No
+    /// Everything that touches sticks: contacts that pull if they stick are open, and all others satisfy every condition while they stick. No
     /// complementarity problem was solved.
     EverythingTouchingSticks,
     /// Lemke's method on the kinematic form, whose unknowns are gaps and slips. Its pivots start at the elastic trial, in which all contacts stick.

@@ -21,7 +21,7 @@ pub(crate) enum CandidateOutcome {
         /// True if the violation of a condition may be rounding. The violation then does not prove that these states have no equilibrium.
         doubtful: bool,
     },
-    /// No forces balance the load in these states.
+    /// No forces balance the load in these contact states.
     Unbalanced,
 }
 

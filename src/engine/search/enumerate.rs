@@ -1,5 +1,5 @@
-//! The trial of every combination of contact states (open, sticking, or sliding on a facet or at a corner of the friction cone): a complete search,
-//! which takes acceptable time for a few contacts.
+//! The trial of every combination of contact states: a complete search, which takes acceptable time for a few contacts. A contact is open, sticks, or
+//! slides on a facet or at a corner of its friction cone.
 
 use super::answer::SearchSolution;
 use super::candidate::CandidateOutcome;

@@ -146,7 +146,6 @@ fn is_on_an_edge(scene: &ElasticTrial<'_, '_>) -> bool {
     scene.problem.locals().any(|local| local.is_on_an_edge())
 }
 
-/// Whether there are many contacts or many coordinates.
 fn is_large(scene: &ElasticTrial<'_, '_>) -> bool {
     has_many_contacts(scene) || scene.trial.is_banded()
 }
@@ -170,9 +169,9 @@ fn touching_contacts_stick(scene: &ElasticTrial<'_, '_>, _: &mut SearchLog) -> A
 }
 
 /// Newton's method for the motion of the object, of which each contact force is a function. On polygonal cones it starts at the elastic trial only.
-/// On round cones it has three starts, one after the other: with few contacts, points of the relaxation, a viscous motion of the object
-/// (`object/relaxing`); then the elastic trial; last the twist of an equilibrium with Tresca friction (friction limits that do not depend on the
-/// normal forces).
+/// On round cones it has three starts, one after the other. With few contacts the first starts are points of the relaxation, an artificial viscous
+/// motion of the object (`object/relaxing`). The next start is the elastic trial. The last is the twist of an equilibrium with Tresca friction, i.e.
+/// with friction limits that do not depend on the normal forces.
 fn newton(scene: &ElasticTrial<'_, '_>, log: &mut SearchLog) -> Attempt {
     if !has_round_cones(scene.problem) {
         let propose = |problem: &Problem, _: &mut SearchLog| {
@@ -191,8 +190,8 @@ fn newton(scene: &ElasticTrial<'_, '_>, log: &mut SearchLog) -> Attempt {
 }
 
 /// The equilibrium to which the relaxation leads. The relaxation is an artificial viscous motion of the object from the elastic trial
-/// (`object/relaxing`). Newton's method starts from points of this motion. If its result is far from its start, the next point is tried, and the
-/// distant equilibrium is returned only if no point leads to an equilibrium near that point. `None` if Newton's method finds no equilibrium.
+/// (`object/relaxing`). Newton's method starts from points of this motion. If its result is far from its start, the next point is tried. If no point
+/// leads to an equilibrium near that point, the first distant equilibrium is returned. `None` if Newton's method finds no equilibrium.
 fn where_it_relaxes_to(scene: &ElasticTrial<'_, '_>) -> Option<SearchSolution> {
     let mut relaxation = SpringDashpotRelaxation::from_stuck(scene.problem, &scene.state.twist)?;
     let mut another = None;
@@ -207,8 +206,8 @@ fn where_it_relaxes_to(scene: &ElasticTrial<'_, '_>) -> Option<SearchSolution> {
 }
 
 /// Searches for a proof that a rate problem (for derivatives along a load path) has no solution, as at a limit load. The proof is a virtual motion.
-/// If every contact that may slide or open does so, the motion of the object does not change the work of the contacts along the virtual motion. The
-/// proof is accepted if in no contact states this work can balance that of the load.
+/// Every contact that may slide or open is assumed to do so. The work of the contacts along the virtual motion then does not depend on the motion of
+/// the object. The proof is accepted if in no contact states the work of the contacts can balance that of the load.
 fn everything_yields(scene: &ElasticTrial<'_, '_>, _: &mut SearchLog) -> Attempt {
     let proof = proofs::yields(scene.problem);
     proof.map_or(Attempt::Nothing, |escape| Attempt::Proof(SearchOutcome::Contradicted { cases: 1, escape }))
@@ -265,8 +264,8 @@ fn force_form(scene: &ElasticTrial<'_, '_>, log: &mut SearchLog) -> Attempt {
     Attempt::of(equilibrium_by_proposals(scene.proposing(), &propose, log))
 }
 
-/// Tries every case, if there are not too many. If contacts have round cones, a case restricts the state of each contact or the direction of its
-/// friction, and branch and bound divides cases into smaller ones. In the plane and on polygonal cones a case is a combination of contact states.
+/// Tries every case, if there are not too many. In the plane and on polygonal cones a case is a combination of contact states. On round cones a case
+/// restricts the state of each contact or the direction of its friction, and branch and bound divides cases into smaller ones.
 fn every_case(scene: &ElasticTrial<'_, '_>, log: &mut SearchLog) -> Attempt {
     let (most, problem) = (most_cases(scene.problem, scene.settings), scene.proposing());
     if most > 0 {

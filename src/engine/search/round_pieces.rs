@@ -14,8 +14,7 @@ use crate::numerics::{IntoList, Vector, by_axis};
 use crate::object::{ForcesAndTwist, LinearProblem, PreciseTwist, Problem, newton_on_cones};
 use crate::prelude::*;
 
-/// An iterate of Newton's method: a state for every contact, with forces and a twist that need not solve the linear problem of these contact states
-/// yet.
+/// An iterate of Newton's method: contact states, forces and a twist. Forces and twist need not solve the linear problem of these contact states yet.
 #[derive(Debug, Clone)]
 pub(super) struct RoundPieces {
     states: Vec<State>,

@@ -3,7 +3,7 @@
 use crate::error::{Error, is_moderate};
 
 /// Limits of small motions. All computations use the contact points and normals of the undeformed grasp, so an answer beyond these limits is
-/// unreliable: a [`Verdict`](crate::hold::Verdict) never claims that a load holds beyond them.
+/// unreliable. A [`Verdict`](crate::hold::Verdict) never claims that a load holds beyond them.
 ///
 /// A translation of the object while every contact sticks only deflects springs. It changes neither normals nor the relative positions of the
 /// contacts, and has no limit.

@@ -16,7 +16,7 @@ pub(super) const COVERING_VECTORS: usize = 3;
 /// that finds nothing.
 pub(super) const MANY_CONTACTS: usize = 32;
 
-/// In the plane and on polygons, Newton's method is tried before Lemke's method from this number of contacts on, if the twist has at most six
+/// From this number of contacts on, Newton's method is tried before Lemke's method in the plane and on polygonal cones, if the twist has at most six
 /// coordinates (one object). With 8 to 20 contacts it needs two thirds of the time of Lemke's method. With more coordinates it often cycles.
 ///
 /// If smaller, Newton's method is often tried in vain; if larger, grasps by a dozen fingers take longer.

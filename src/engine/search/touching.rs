@@ -1,4 +1,4 @@
-//! The sticking equilibrium of touching contacts: contacts that would pull are open, and all closed contacts stick.
+//! The sticking equilibrium of touching contacts: contacts that pull if they stick are open, and all closed contacts stick.
 
 use super::answer::SearchSolution;
 use super::candidate::admit;
