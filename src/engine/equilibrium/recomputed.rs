@@ -38,8 +38,8 @@ struct ContactLaw<'c> {
 }
 
 impl Residuals {
-    /// Takes one contact or drive into account: raises each residual to that of this contact, if the latter is larger. The residual of equilibrium,
-    /// which all contacts have together, stays unchanged.
+    /// Takes one contact or drive into account: each residual becomes the larger of its present value and the residual of this contact. The residual
+    /// of equilibrium, which all contacts have together, stays unchanged.
     fn note(&mut self, law: &ContactLaw<'_>, site_answer: &SiteAnswer<'_>) {
         let ContactLaw { site, friction, polygon, cone, force_size, displacement_size } = *law;
         let SiteAnswer { force: f, gap: g, separated, stretch, slip: s } = *site_answer;

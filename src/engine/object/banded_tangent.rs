@@ -237,8 +237,8 @@ impl SpringLists {
         }
     }
 
-    /// Calls `visit(k, coordinates, range)` for the springs k = 0, 1, … of one contact. The arguments `coordinates` and `range` are those of
-    /// [`Self::for_each`].
+    /// Calls `visit(k, coordinates, range)` for the springs k = 0, 1, … of one contact. `range` is the index range of the spring's row in
+    /// [`SpringRows::rows`]. `coordinates` has the position of each entry of this row in the order in which the stiffness matrix is a narrow band.
     fn of(&self, contact: usize, mut visit: impl FnMut(usize, &[usize], Range<usize>)) {
         let coordinates = &self.coordinates[self.first[contact]..self.first[contact + 1]];
         for k in 0..self.counts[contact] {

@@ -136,7 +136,7 @@ impl GivenLimits {
         self.answers_by(q, |i, stretch| self.contacts[i].answer(stretch, self.limits[i]))
     }
 
-    /// Factorises the tangent stiffness of the object. Springs of contacts that slide or are open keep the fraction `kept` of their stiffness
+    /// Factorises the tangent stiffness of the object, plus the fraction `kept` of the stiffness that is lost at sliding and open contacts
     /// (regularisation). `None` if this matrix is not positive definite.
     fn factor(&mut self, answers: &[LimitedAnswer], kept: f64) -> Option<()> {
         let Self { coupled, first, band, .. } = self;
