@@ -1,9 +1,11 @@
-//! Searches for further fits of the unknowns to the observed slips, in which other contacts slip first. An unknown is a number of the grasp, such as
-//! a coefficient of friction. The loss is the function of the residuals that a fit minimises; scatter is the standard deviation of slips.
+//! Searches for further fits of the parameters to the observations, in which other contacts slip first. A parameter is a number of the grasp that is
+//! sought, such as a coefficient of friction. An observation is a load or angle at which slip was observed. The loss is the function of the residuals
+//! that a fit minimises; scatter is the standard deviation of observations.
 //!
-//! If several contacts may slip first, the predicted load has a kink as a function of the unknowns. On each side of it the load depends on the data
-//! of one contact alone. A search from one side usually ends at the kink. An assignment says on which unknowns each slip depends. To find other
-//! assignments, two unknowns exchange their values and the search starts anew.
+//! The predicted load is that of the contact that slips first. At parameters for which two contacts slip together, it therefore has a kink as a
+//! function of the parameters. On each side of the kink the load depends on the data of one contact alone. A search from one side usually ends at the
+//! kink. An assignment says on which parameters the predicted load of each observation depends. To find other assignments, two parameters exchange
+//! their values and the search starts anew.
 
 use core::f64::consts::LN_2;
 
@@ -18,26 +20,26 @@ use crate::error::Error;
 use crate::numerics::{Each, IntoList, any_index, chosen, every_index, two_sided};
 use crate::prelude::*;
 
-/// Upper limit of the number of pairs of unknowns that exchange their values, starting from one fit. It is enough for all pairs of five unknowns.
+/// Upper limit of the number of pairs of parameters that exchange their values, starting from one fit. It is enough for all pairs of five parameters.
 const MOST_PAIRS: usize = 10;
-/// Number of values that are tried for the smaller of two unknowns after they have exchanged their values. The first is the exchanged value itself,
-/// each further one half of the value before, down to a sixteenth.
+/// Number of values that are tried for the smaller of two parameters after they have exchanged their values. The first is the exchanged value itself.
+/// Each further one is half of the value before, down to a sixteenth.
 const MOST_HALVINGS: u8 = 5;
-/// Upper limit of the number of bisections between two sets of values of the unknowns at which slips depend on different unknowns. The bisections
-/// seek a third assignment of slips to the unknowns on which they depend.
+/// Upper limit of the number of bisections between two sets of values of the parameters with different assignments. The bisections seek a third
+/// assignment of observations to the parameters on which their predicted loads depend.
 const MOST_BISECTIONS: usize = 4;
 /// Upper limit of the number of fits (local minima of the loss) that are kept, to limit the work.
 const MOST_FITS: usize = 12;
-/// Upper limit of the number of predictions of all slips, each with other values of the unknowns, in the search for other assignments. It limits the
-/// work.
+/// Upper limit, to limit the work, of the number of predictions in the search for other assignments. Each predicts all observations, with other
+/// values of the parameters.
 const MOST_LOOKS: usize = 240;
 
-/// If two contacts slip at once, for example at equal friction, the predicted loads have a kink as functions of the unknowns, and no derivatives. To
-/// find the derivatives next to this kink, the logarithm of one unknown is changed by this step.
+/// If two contacts slip at once, for example at equal friction, the predicted loads have a kink as functions of the parameters, and no derivatives.
+/// To find the derivatives next to this kink, the logarithm of one parameter is changed by this step.
 const BESIDE_A_KINK: f64 = 1e-3;
 
-/// The search for other assignments. An assignment says on which unknowns each predicted slip depends, because it says which contact slips first.
-/// From each fit found, pairs of unknowns exchange their values again.
+/// The search for other assignments (of observations to the parameters on which their predicted loads depend). From each fit found, pairs of
+/// parameters exchange their values again.
 struct Assignments<'a> {
     model: &'a Model<'a>,
     fits: Vec<Fitted>,
@@ -45,8 +47,8 @@ struct Assignments<'a> {
 }
 
 impl Assignments<'_> {
-    /// Predicts all slips, and their derivatives with respect to the unknowns, for unknowns with the logarithms `logs`. `None` if the model does not
-    /// predict some slip, or a limit of the work is reached.
+    /// Predicts all observations, and their derivatives with respect to the parameters, for parameters with the logarithms `logs`. `None` if the
+    /// model predicts no slip for some observation, or a limit of the work is reached.
     fn evaluate(&mut self, logs: &[f64]) -> Result<Option<Linear>, Error> {
         if self.looks == MOST_LOOKS || self.fits.len() == MOST_FITS {
             return Ok(None);
@@ -59,8 +61,8 @@ impl Assignments<'_> {
         self.fits.iter().any(|fit| fit.linear.as_ref().is_some_and(|known| same_assignment(known, linear)))
     }
 
-    /// Starts a search for a fit from the logarithms `begin` of the unknowns, if the assignment there (on which unknowns each slip depends) is new.
-    /// Keeps the fit if the assignment at the fit is new, too. Returns whether the assignment at `begin` is new.
+    /// Starts a search for a fit from the logarithms `begin` of the parameters, if the assignment there is new. Keeps the fit if its assignment is
+    /// new, too. Returns whether the assignment at `begin` is new.
     fn fit(&mut self, begin: Vec<f64>, linear: Linear) -> Result<bool, Error> {
         if self.is_known(&linear) {
             return Ok(false);
@@ -73,9 +75,9 @@ impl Assignments<'_> {
         Ok(true)
     }
 
-    /// Searches by bisection between the points `low` and `high` (logarithms of the unknowns) for a third assignment of slips to unknowns. If
-    /// bisection finds one, a search for a fit starts there. Between the two points one unknown decreases, so that one slip after another begins to
-    /// depend on it.
+    /// Searches by bisection between the points `low` and `high` (logarithms of the parameters) for a third assignment of observations to parameters.
+    /// If bisection finds one, a search for a fit starts there. From `low` to `high` one parameter decreases, so that one predicted load after
+    /// another begins to depend on it.
     fn between(&mut self, mut low: Vec<f64>, mut high: Vec<f64>, ends: [&Linear; 2]) -> Result<(), Error> {
         for _ in 0..MOST_BISECTIONS {
             let middle: Vec<f64> = low.iter().zip(&high).map(|(a, b)| 0.5 * (a + b)).list();
@@ -92,8 +94,8 @@ impl Assignments<'_> {
         Ok(())
     }
 
-    /// Exchanges the values of two unknowns of the fit at index `at`, then halves the smaller one until the assignment (on which unknowns each slip
-    /// depends) is one not found before. Starts searches for fits from the values reached.
+    /// Exchanges the values of two parameters of the fit at index `at`. Then halves the smaller one until the assignment of observations to
+    /// parameters is one not found before. Starts searches for fits from the values reached.
     fn weaken(&mut self, at: usize, pair: (usize, usize)) -> Result<(), Error> {
         let Some(mut before) = self.fits[at].linear.clone() else { return Ok(()) };
         let mut from = self.fits[at].logs.clone();
@@ -112,7 +114,7 @@ impl Assignments<'_> {
     }
 }
 
-/// The answer to the question of identification: the best fit, and the estimates for all assignments of slips to unknowns that fit equally well.
+/// The answer: the best fit, and the estimates for all assignments of observations to parameters that fit equally well.
 pub(super) fn assigned(model: &Model<'_>, first: Fitted) -> Result<Identified, Error> {
     let mut search = Assignments { model, fits: vec![first], looks: 0 };
     let mut at = 0;
@@ -154,8 +156,8 @@ pub(super) fn assigned(model: &Model<'_>, first: Fitted) -> Result<Identified, E
     Ok(united(first, &answers.list()))
 }
 
-/// The logarithms of the unknowns of a fit after two of them have exchanged values. The unknown `strong` gets the larger value; the unknown `weak`
-/// gets the smaller value, divided by 2 to the power `halved`.
+/// The logarithms of the parameters of a fit after two of them have exchanged values. The parameter `strong` gets the larger value. The parameter
+/// `weak` gets the smaller value, divided by 2 to the power `halved`.
 fn weakened(model: &Model<'_>, logs: &[f64], (weak, strong): (usize, usize), halved: u8) -> Vec<f64> {
     let unknowns = &model.asked.unknowns;
     let (low, high) = (logs[weak].min(logs[strong]), logs[weak].max(logs[strong]));
@@ -163,7 +165,7 @@ fn weakened(model: &Model<'_>, logs: &[f64], (weak, strong): (usize, usize), hal
     begin[strong] = high;
     begin[weak] = low;
     for k in (0..begin.len()).filter(|k| *k != weak) {
-        // If a third unknown, of the same kind as `weak`, equals the smaller of the two values, it is doubled. Otherwise its contact would slip
+        // If a third parameter, of the same kind as `weak`, equals the smaller of the two values, it is doubled. Otherwise its contact would slip
         // together with the contact of `weak`.
         if (begin[k] - low).abs() <= INDISTINCT && unknowns[k].kind == unknowns[weak].kind {
             begin[k] = low + LN_2;
@@ -173,7 +175,7 @@ fn weakened(model: &Model<'_>, logs: &[f64], (weak, strong): (usize, usize), hal
     begin
 }
 
-/// All pairs of unknowns of the same kind, such as two coefficients of friction, as indices.
+/// All pairs of parameters of the same kind, such as two coefficients of friction, as indices.
 fn pairs_of(model: &Model<'_>) -> Vec<(usize, usize)> {
     let unknowns = &model.asked.unknowns;
     let mut pairs = Vec::new();
@@ -187,11 +189,12 @@ fn pairs_of(model: &Model<'_>) -> Vec<(usize, usize)> {
     pairs
 }
 
-/// At most ten pairs ([`MOST_PAIRS`]) of unknowns whose exchange may lead to another assignment. A pair is listed if some slip depends on one of its
-/// unknowns and not on the other, while no slip depends on both.
+/// At most ten pairs ([`MOST_PAIRS`]) of parameters whose exchange may lead to another assignment. A pair is listed if some predicted load depends on
+/// one of its parameters and not on the other, while none depends on both.
 ///
-/// A slip that depends on both would tell the two unknowns apart. If the slips leave some unknown undetermined, such a slip may not tell them apart,
-/// and the pair is listed all the same. A pair is listed, too, if the fit ended on a kink of the predicted loads where both unknowns are equal.
+/// An observation whose predicted load depends on both tells the two parameters apart, if the observations determine all parameters. If they leave
+/// some parameter undetermined, the pair is listed all the same. A pair is listed, too, if the fit ended on a kink of the predicted loads where both
+/// parameters are equal.
 fn pairs(model: &Model<'_>, fit: &Fitted) -> Result<Vec<(usize, usize)>, Error> {
     let mut pairs = Vec::new();
     let Some(linear) = fit.linear.as_ref().filter(|_| matches!(fit.end, FitEnd::Converged)) else {
@@ -210,8 +213,8 @@ fn pairs(model: &Model<'_>, fit: &Fitted) -> Result<Vec<(usize, usize)>, Error> 
     Ok(pairs)
 }
 
-/// Whether the fit is on a kink of the predicted loads, at which these two unknowns are equal. On the kink a slip depends on both unknowns, because
-/// its derivative is the mean of one-sided derivatives. Next to the kink it depends on one of the two.
+/// Whether the fit is on a kink of the predicted loads, at which these two parameters are equal. On the kink a predicted load depends on both
+/// parameters, because its derivative is the mean of one-sided derivatives. Next to the kink it depends on one of the two.
 fn is_on_the_kink(model: &Model<'_>, fit: &Fitted, i: usize, j: usize) -> Result<bool, Error> {
     let Some(linear) = &fit.linear else { return Ok(false) };
     let on_both = |row: usize| depends(&linear.jacobian, row, i) && depends(&linear.jacobian, row, j);
@@ -223,12 +226,12 @@ fn is_on_the_kink(model: &Model<'_>, fit: &Fitted, i: usize, j: usize) -> Result
     Ok(!model.linear(&beside)?.is_ok_and(|beside| same_assignment(linear, &beside)))
 }
 
-/// Whether the predicted slip in this row of the Jacobian depends on an unknown, beyond rounding.
+/// Whether the prediction in this row of the Jacobian depends on a parameter, beyond rounding.
 fn depends(jacobian: &DMatrix<f64>, row: usize, unknown: usize) -> bool {
     jacobian[(row, unknown)].abs() > INDISTINCT * jacobian.row(row).amax()
 }
 
-/// Whether each slip, and each sum of unknowns that is known from another measurement, depends on the same unknowns at both points.
+/// Whether each predicted load, and each known sum of parameters, depends on the same parameters at both points.
 fn same_assignment(one: &Linear, other: &Linear) -> bool {
     every_index(one.jacobian.nrows(), &|row| depends_alike(one, other, row))
 }
@@ -237,8 +240,8 @@ fn depends_alike(one: &Linear, other: &Linear, row: usize) -> bool {
     every_index(one.jacobian.ncols(), &|j| depends(&one.jacobian, row, j) == depends(&other.jacobian, row, j))
 }
 
-/// Whether at least two slips with different derivatives depend on other unknowns at one point than at the other. On the way from one point to the
-/// other these slips need not change together, so a third assignment may lie between the two points.
+/// Whether at least two predicted loads with different derivatives depend on other parameters at one point than at the other. On the way from one
+/// point to the other these loads need not change together, so a third assignment may lie between the two points.
 fn changes_in_steps(one: &Linear, other: &Linear) -> bool {
     let rows = chosen(one.jacobian.nrows(), &|row| !depends_alike(one, other, *row));
     let Some((&first, rows)) = rows.split_first() else { return false };
@@ -247,8 +250,8 @@ fn changes_in_steps(one: &Linear, other: &Linear) -> bool {
     rows.iter().any(|row| is_of_another_kind(one, *row) || is_of_another_kind(other, *row))
 }
 
-/// Whether a fit has a smaller loss than another fit by more than the scatter of slips explains, at 95 %. `false` if the other fit predicts all slips
-/// exactly, since no fit is better than that.
+/// Whether a fit has a smaller loss than another fit by more than the scatter of observations explains, at 95 %. `false` if the other fit predicts
+/// all observations exactly, since no fit is better than that.
 fn fits_better(model: &Model<'_>, one: &Fitted, other: &Fitted) -> bool {
     let unknowns = model.asked.unknowns.len();
     let degrees = one.linear.as_ref().map_or(1, |here| here.residuals.len().saturating_sub(unknowns).max(1));
@@ -257,7 +260,7 @@ fn fits_better(model: &Model<'_>, one: &Fitted, other: &Fitted) -> bool {
 }
 
 /// The loss of the second fit minus the loss of the first, for residuals divided by the standard deviations of the first fit. 0 if the second fit
-/// predicts all slips exactly. Infinite if the second fit does not predict all slips, and -∞ if the first does not.
+/// predicts all observations exactly. Infinite if the second fit does not predict all observations, and -∞ if the first does not.
 pub(super) fn gain(model: &Model<'_>, one: &Fitted, other: &Fitted) -> f64 {
     match (&one.linear, &other.linear) {
         (None, _) => f64::NEG_INFINITY,
@@ -269,7 +272,7 @@ pub(super) fn gain(model: &Model<'_>, one: &Fitted, other: &Fitted) -> f64 {
     }
 }
 
-/// The answer `answer` with the estimates of the fits `others`, which fit equally well. An unknown on which the fits disagree becomes undetermined.
+/// The answer `answer` with the estimates of the fits `others`, which fit equally well. A parameter on which the fits disagree becomes undetermined.
 fn united(mut answer: Identified, others: &[Identified]) -> Identified {
     if others.is_empty() {
         return answer;
@@ -288,8 +291,8 @@ fn united(mut answer: Identified, others: &[Identified]) -> Identified {
     answer
 }
 
-/// Whether two fits agree on an unknown. They agree if the slips determine it in neither fit. If the slips determine it in both, the estimates may
-/// differ by a tenth of the standard error. Without a known standard error they may differ by rounding only.
+/// Whether two fits agree on a parameter. They agree if the observations determine it in neither fit. If the observations determine it in both, the
+/// estimates may differ by a tenth of the standard error. Without a known standard error they may differ by rounding only.
 pub(super) fn is_alike(one: &Estimate, other: &Estimate) -> bool {
     let error = one.standard_error.unwrap_or(INDISTINCT * one.value);
     one.is_fixed == other.is_fixed && (!one.is_fixed || (one.value - other.value).abs() <= 0.1 * error)

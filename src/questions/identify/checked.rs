@@ -1,7 +1,7 @@
-//! Checks of a question of identification (which data of a grasp explain its observed slips). They return errors for questions that no search can
-//! answer. A layout is an arrangement of the contact points, with a grasp of its own. An unknown is a number of the grasp, such as a coefficient of
-//! friction. A carried force is the normal force of a contact before the load of a slip grows, due to the squeeze and the base load. The squeeze is
-//! all that presses without a load.
+//! Checks of a question that asks which parameters of a grasp explain observed slip. They return errors for questions that no search can answer. A
+//! parameter ([`Unknown`]) is a number of the grasp that is sought, such as a coefficient of friction. A layout is an arrangement of the contact
+//! points, with a grasp of its own. The squeeze is everything by which contacts press at rest without a load. A carried force is the normal force of
+//! a contact, due to the squeeze and the base load, before the load of an observation grows.
 
 use super::question::{Identify, KnownSum};
 use super::slip::Slip;
@@ -18,7 +18,7 @@ fn wrong(what: String, field: &'static str, value: f64, allowed: &'static str) -
 }
 
 impl Identify<3> {
-    /// Returns an error for contacts that the grasps of the layouts do not have, and for two unknowns that one contact cannot have at once. Also an
+    /// Returns an error for contacts that the grasps of the layouts do not have, and for two parameters that one contact cannot have at once. Also an
     /// error for a base load that presses on a contact whose carried force is sought: the carried force contains that load.
     pub(super) fn check(&self, layouts: &[Grasp<3>]) -> Result<(), Error> {
         self.unknowns.iter().enumerate().try_for_each(|(k, unknown)| unknown.check(k, layouts))?;
@@ -118,15 +118,15 @@ impl KnownSum {
 }
 
 impl Unknown {
-    /// Whether the two unknowns exclude each other at one contact. They do if they are of one kind. So do a squeeze and a carried force, since both
+    /// Whether the two parameters exclude each other at one contact. They do if they are of one kind. So do a squeeze and a carried force, since both
     /// determine how hard the contact presses.
     fn clashes_with(&self, other: &Self) -> bool {
         let presses = |kind| matches!(kind, UnknownKind::Carried | UnknownKind::Squeeze);
         self.kind == other.kind || (presses(self.kind) && presses(other.kind))
     }
 
-    /// An error if the layout, the start value or the list of contacts of this unknown is out of range. `number` is the index of the unknown, from 0,
-    /// for the message; `layouts` is the number of layouts.
+    /// Returns an error if the layout, the start value or the list of contacts of this parameter is out of range. The message names the parameter by
+    /// its index `number`, from 0; `layouts` is the number of layouts.
     fn check_numbers(&self, number: usize, layouts: usize) -> Result<(), Error> {
         let what = format!("unknown {number}");
         if let Some(layout) = self.layout.filter(|layout| *layout >= layouts) {
@@ -141,8 +141,8 @@ impl Unknown {
         Ok(())
     }
 
-    /// Returns an error for contacts of this unknown that a layout (arrangement of the contact points) does not have. For a carried force, also an
-    /// error for contacts whose pressing force is given. `number` is the index of the unknown, from 0, for the message.
+    /// Returns an error for contacts of this parameter that a layout (arrangement of the contact points) does not have. For a carried force, also an
+    /// error for contacts whose pressing force is given. The message names the parameter by its index `number`, from 0.
     fn check(&self, number: usize, layouts: &[Grasp<3>]) -> Result<(), Error> {
         for (layout, grasp) in layouts.iter().enumerate().filter(|(layout, _)| self.is_in(*layout)) {
             let named = self.contacts.as_deref().unwrap_or_default();

@@ -1,5 +1,5 @@
-//! Combinations of unknowns that the observed slips do not determine. An unknown is a number of the grasp, such as a coefficient of friction. A slip
-//! is a load or angle at which a contact, or the object, was observed to slip.
+//! Combinations of parameters that the observations do not determine. A parameter is a number of the grasp that is sought, such as a coefficient of
+//! friction. An observation is a load or angle at which slip was observed.
 
 use super::tolerances::NO_COMPONENT;
 use crate::numerics::{Each, IntoList, chosen, mapped};
@@ -8,25 +8,25 @@ use nalgebra::DMatrix;
 use crate::prelude::*;
 use crate::words::listed;
 
-/// Unknowns that may change together without changing any predicted slip. To first order no slip changes if each unknown is multiplied by a common
-/// factor raised to the power of this unknown in [`powers`](Self::powers).
+/// Parameters that may change together without changing any predicted load. To first order no predicted load changes if each parameter is multiplied
+/// by a common factor raised to the power of this parameter in [`powers`](Self::powers).
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct FreeCombination {
-    /// The names of the unknowns in this combination.
+    /// The names of the parameters in this combination.
     pub unknowns: Vec<String>,
-    /// For each unknown the power to which the common factor is raised; the power of largest magnitude is 1 or -1.
+    /// For each parameter the power to which the common factor is raised; the power of largest magnitude is 1 or -1.
     pub powers: Vec<f64>,
-    /// A sentence about the combination: which function of its unknowns the slips determine.
+    /// A sentence about the combination: which function of its parameters the observations determine.
     pub says: String,
 }
 
 impl FreeCombination {
-    /// Combinations with as few unknowns as possible. The columns of `free` span the directions, in the logarithms of the unknowns, along which no
-    /// predicted slip changes. `stays` gets a factor for each unknown, and returns whether all predicted slips stay the same if the unknowns are
-    /// multiplied by these factors.
+    /// Combinations with as few parameters as possible. The columns of `free` span the directions, in the logarithms of the parameters, along which
+    /// no predicted load changes. `stays` gets a factor for each parameter. It returns whether all predicted loads stay the same if the parameters
+    /// are multiplied by these factors.
     pub(super) fn among(
         mut free: DMatrix<f64>,
         (names, values): (&[String], &[f64]),
@@ -34,7 +34,7 @@ impl FreeCombination {
     ) -> Vec<Self> {
         let mut all = Vec::new();
         for k in 0..free.ncols() {
-            // The pivot is the largest remaining entry, as in Gauss-Jordan elimination. The unknown of the pivot's row then has a component in this
+            // The pivot is the largest remaining entry, as in Gauss-Jordan elimination. The parameter of the pivot's row then has a component in this
             // direction alone.
             let (row, column) = free.columns_range(k..).icamax_full();
             free.swap_columns(k, k + column);
@@ -59,7 +59,7 @@ impl FreeCombination {
             };
             let (unknowns, powers): (Vec<_>, Vec<_>) = direction.iter().enumerate().filter_map(part).unzip();
             // Two trial changes along the combination, by up to 0.3 in logarithms or as a relative change. They are large enough to show whether the
-            // slips determine a product or a sum of the unknowns.
+            // observations determine a product or a sum of the parameters.
             let along = direction.iter().map(|x| 0.3 * x / largest);
             let [powered, added]: [Vec<f64>; 2] =
                 [along.clone().map(f64::exp).list(), along.map(|x| 1.0 + x).list()];
@@ -80,15 +80,15 @@ impl FreeCombination {
     }
 }
 
-/// The function of several unknowns whose value the slips determine, although they do not determine each of the unknowns.
+/// The function of several parameters whose value the observations determine, although they do not determine each of the parameters.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Law {
-    /// A product of powers of the unknowns, for changes of any size.
+    /// A product of powers of the parameters, for changes of any magnitude.
     Powers,
-    /// The sum of the unknowns. No predicted slip changes if the relative changes of the unknowns are proportional to the list of powers, which keeps
-    /// this sum.
+    /// The sum of the parameters. No predicted load changes if the relative changes of the parameters are proportional to the list of powers, which
+    /// keeps this sum.
     Sum,
-    /// Some other function of the unknowns, known only by its first derivatives.
+    /// Some other function of the parameters, known only by its first derivatives.
     Nearby,
 }
 

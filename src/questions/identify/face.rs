@@ -1,5 +1,5 @@
-//! Converts the question of identification between the forms of engine and caller. Vectors of the engine have three components even in the plane,
-//! vectors of the caller have `C` components: 2 in the plane, 3 in space.
+//! Conversions of the question [`Identify`] between the engine and the caller. Vectors of the engine have three components even in the plane. Vectors
+//! of the caller have `C` components: 2 in the plane, 3 in space.
 
 use super::question::{Identify, KnownSum, OtherLayouts};
 use super::slip::{Slip, SlipKind};

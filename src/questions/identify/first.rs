@@ -1,6 +1,6 @@
-//! Predicts first slip, the load at which the first contact stops sticking, with a model of the grasp. Its exact derivatives with respect to the
-//! unknowns, such as coefficients of friction, are computed, too. An observation is a load, or the angle of a turning load, at which slip was seen.
-//! The load factor is the multiple of the observed load.
+//! Predicts first slip with a model of the grasp: the event at which the first contact ceases to stick as the load grows. An observation is a load,
+//! or the angle of a turning load, at which slip was observed. The load factor is a multiple of the observed load. The derivatives of the load factor
+//! of first slip with respect to the parameters that are sought, such as coefficients of friction, are exact.
 
 use crate::numerics::{IntoList, numbered};
 use core::f64::consts::TAU;
@@ -12,7 +12,7 @@ use crate::error::Error;
 use crate::load_path::{Onset, OnsetEvent, OnsetMargins, Parameter, Ramp};
 use crate::prelude::*;
 
-/// The load factor or angle, rad, at which the model predicts first slip for one observation. Derivatives with respect to the unknowns are computed
+/// The load factor or angle, rad, at which the model predicts first slip for one observation. Derivatives with respect to the parameters are computed
 /// if asked for. The inner error is the reason why no slip is predicted.
 pub(super) fn predicted(target: &SlipToPredict<'_>) -> Result<Result<Predicted, PredictionFailure>, Error> {
     let onset = match target.slip.growing_load() {
@@ -39,7 +39,7 @@ pub(super) fn predicted(target: &SlipToPredict<'_>) -> Result<Result<Predicted, 
     })
 }
 
-/// Derivatives of the logarithm of the load factor at first slip with respect to the logarithms of the unknowns. If several contacts slip together,
+/// Derivatives of the logarithm of the load factor of first slip with respect to the logarithms of the parameters. If several contacts slip together,
 /// the factor has a kink, and the mean of the contacts' derivatives is returned. `None` if an exact derivative is not known.
 fn exact(target: &SlipToPredict<'_>, event: &OnsetEvent<3>) -> Option<Vec<f64>> {
     let margins = OnsetMargins::new(&target.grasp.engine, event)?;
@@ -47,7 +47,7 @@ fn exact(target: &SlipToPredict<'_>, event: &OnsetEvent<3>) -> Option<Vec<f64>> 
     let axes = space.axes();
     let leavers = margins.leavers().len();
     let contacts = target.grasp.contacts();
-    // The data that change with an unknown of this kind at one contact, each with its derivative with respect to the logarithm of the unknown.
+    // The data of one contact that change with a parameter of this kind, each with its derivative with respect to the logarithm of the parameter.
     let changes = |kind: UnknownKind, contact: usize, value: f64| -> Vec<(Parameter, f64)> {
         let data = &contacts[contact];
         let springs = data.stiffness.series();

@@ -1,7 +1,7 @@
-//! The search for the unknowns with the least Huber loss, by damped Gauss-Newton steps in the logarithms of the unknowns. This loss is quadratic in
-//! small residuals and linear in large ones. An unknown is a number of the grasp, such as a coefficient of friction. A slip is a load or angle at
-//! which a contact, or the object, was observed to slip. A known sum is a sum of unknowns that is known from another measurement. The scatter of a
-//! slip is its relative standard deviation.
+//! The search for the parameters with the least Huber loss, by damped Gauss-Newton steps in the logarithms of the parameters. This loss is quadratic
+//! in small residuals and linear in large ones. A parameter is a number of the grasp that is sought, such as a coefficient of friction. An
+//! observation is a load or angle at which slip was observed. A known sum is a sum of parameters that is known from another measurement. The scatter
+//! of an observation is its relative standard deviation.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -14,36 +14,36 @@ use crate::error::Error;
 use crate::numerics::{IntoList, Singular, counted, every_index, mapped, matrix_of, two_sided, vector_of};
 use crate::prelude::*;
 
-/// The unknowns with the least loss, as found by a search: `logs` are their logarithms. `linear` has the residuals of all observations at these
-/// values, and their derivatives; `None` if the model does not predict all slips.
+/// The parameters with the least loss, as found by a search: `logs` are their logarithms. `linear` has the residuals of all observations and known
+/// sums at these values, and their derivatives. `linear` is `None` if the model does not predict slip for all observations.
 pub(super) struct Fitted {
     pub(super) logs: Vec<f64>,
     pub(super) linear: Option<Linear>,
-    /// Relative standard deviations of the observed slips (given or estimated), and of sums of unknowns that are known from other measurements.
+    /// Relative standard deviations of the observations (given or estimated) and of the known sums of parameters.
     pub(super) scatter: Scatter,
     pub(super) iterations: usize,
     pub(super) end: FitEnd,
 }
 
-/// The reason why the search for the unknowns ended.
 pub(super) enum FitEnd {
     Converged,
     Limit,
-    /// The model predicts no load for this slip, either at the start of the search, or next to the point where the search stopped.
+    /// The model predicts no slip for the observation with this index, at the start of the search, or at the shortest step from the point where it
+    /// stopped.
     NoSlip(usize, PredictionFailure),
 }
 
-/// Relative standard deviations of the observations, by which residuals are divided.
+/// Relative standard deviations of observations and known sums, by which residuals are divided.
 #[derive(Clone, Default)]
 pub(super) struct Scatter {
-    /// One standard deviation for each slip, then one for each known sum (sum of unknowns from another measurement), relative to the observed value.
+    /// One standard deviation for each observation, then one for each known sum of parameters, relative to the observed value.
     pub(super) rows: Vec<f64>,
-    /// Estimated from the residuals: the standard deviation common to all slips or, if standard deviations are given, a common factor on them.
+    /// Estimated from the residuals: the standard deviation common to all observations or, if standard deviations are given, a common factor on them.
     pub(super) scale: f64,
     /// Whether the standard deviations `rows` contain the factor `scale`. They do if no standard deviations are given, or if the residuals exceed the
     /// given ones at 95 %.
     pub(super) is_estimated: bool,
-    /// Degrees of freedom: the number of observations minus the number of combinations of unknowns that they determine.
+    /// Degrees of freedom: the number of observations and known sums minus the number of combinations of parameters that they determine.
     pub(super) degrees: usize,
 }
 
@@ -61,8 +61,8 @@ impl Model<'_> {
         Huber(self.asked.outliers())
     }
 
-    /// Relative standard deviations of the observations. The question gives them for known sums (sums of unknowns from other measurements), and for
-    /// all slips or for none. If for none, or if `is_estimated`, a factor common to all slips is estimated from the residuals.
+    /// Relative standard deviations of observations and known sums. The question gives them for known sums of parameters, and for all observations or
+    /// for none. If for none, or if `is_estimated`, a factor common to all observations is estimated from the residuals.
     fn scatter(&self, linear: &Linear, is_estimated: bool) -> Scatter {
         let (slips, known) = (&self.asked.slips, &self.asked.known);
         let given: Vec<_> = mapped(slips, &|slip| slip.scatter.unwrap_or(1.0));
@@ -76,8 +76,8 @@ impl Model<'_> {
         Scatter { rows, scale, is_estimated, degrees }
     }
 
-    /// The weight of observation number `row`, whose residual is `u` standard deviations: Huber's weight for slips, 1 for known sums (sums of
-    /// unknowns from other measurements), which come after the slips.
+    /// The weight of residual number `row`, which is `u` standard deviations: Huber's weight for observations. It is 1 for known sums of parameters,
+    /// which come after the observations.
     fn weight(&self, row: usize, u: f64) -> f64 {
         if row < self.asked.slips.len() { self.huber().weight(u) } else { 1.0 }
     }
@@ -91,12 +91,12 @@ impl Model<'_> {
     }
 }
 
-/// Logarithms of the unknowns, and the model's prediction of all slips with these unknowns. The error holds the index, from 0, of the first slip that
-/// is not predicted, and the reason.
+/// Logarithms of the parameters, and the model's prediction of all observations with these parameters. The error holds the index, from 0, of the
+/// first observation in the list for which no slip is predicted, and the reason.
 type StartingFit = (Vec<f64>, Result<Linear, (usize, PredictionFailure)>);
 
-/// For each unknown, whether it may be multiplied by a factor in the search for starting values. True for coefficients of friction. If no friction is
-/// unknown, true for squeezes and carried forces (normal forces before the load grows).
+/// For each parameter, whether it may be multiplied by a factor in the search for starting values. True for coefficients of friction. If no friction
+/// is sought, true for squeezes and carried forces (normal forces before the load grows).
 fn changing(model: &Model<'_>) -> Vec<bool> {
     let unknowns = &model.asked.unknowns;
     let has_friction = unknowns.iter().any(|unknown| unknown.kind == UnknownKind::Friction);
@@ -107,10 +107,10 @@ fn changing(model: &Model<'_>) -> Vec<bool> {
     })
 }
 
-/// The first point, in the logarithms of the unknowns, at which the model predicts all slips. It is given by the start values of the unknowns,
-/// perhaps with all unknown friction multiplied by a common factor. The factor is halved if the object holds however far the load goes, and doubled
-/// if the object is lost before the load grows. Once both have occurred, the logarithm of the factor is bisected. If no friction is unknown, squeezes
-/// and carried forces are multiplied instead.
+/// The first point, in the logarithms of the parameters, at which the model predicts slip for all observations. It is given by the start values of
+/// the parameters, perhaps with all friction that is sought multiplied by a common factor. The factor is halved if the object holds however far the
+/// load goes, and doubled if the object is lost before the load grows. Once both have occurred, the logarithm of the factor is bisected. If no
+/// friction is sought, squeezes and carried forces are multiplied instead.
 fn starting_fit(model: &Model<'_>) -> Result<StartingFit, Error> {
     let unknowns = &model.asked.unknowns;
     let begin: Vec<f64> = mapped(unknowns, &|unknown| unknown.begins_at(model.layouts).ln());
@@ -141,7 +141,7 @@ fn starting_fit(model: &Model<'_>) -> Result<StartingFit, Error> {
     Ok((begin, first))
 }
 
-/// The logarithms of the unknowns with the least loss (Huber's, of the residuals in standard deviations), by a search from the start values of the
+/// The logarithms of the parameters with the least loss (Huber's, of the residuals in standard deviations), by a search from the start values of the
 /// question.
 pub(super) fn fitted(model: &Model<'_>) -> Result<Fitted, Error> {
     let (begin, linear) = starting_fit(model)?;
@@ -158,12 +158,13 @@ pub(super) fn fitted(model: &Model<'_>) -> Result<Fitted, Error> {
     Ok(fit)
 }
 
-/// A start for a second search; `None` if `fit` needs none. In the search for a start some unknowns may be multiplied ([`changing`]): coefficients of
-/// friction or, if no friction is unknown, squeezes and carried forces. A second search is needed if the predicted load of some slip differs from the
-/// observed one, but depends on none of these unknowns. Example: the model predicts that a box tips, whereas with less friction it would slide
-/// before.
+/// A start for a second search; `None` if `fit` needs none. Some parameters may be multiplied ([`changing`]): coefficients of friction or, if no
+/// friction is sought, squeezes and carried forces. A second search is needed if the predicted load of some observation differs from the observed
+/// one, but depends on none of these parameters. An example is a box of which the model predicts that it tips, whereas with less friction it would
+/// slide before.
 ///
-/// These unknowns are halved if the slip was observed below its prediction, else doubled, until the prediction depends on them; at most twelve times.
+/// These parameters are halved if the observed load is below its prediction, else doubled, until the prediction depends on them; at most twelve
+/// times.
 fn off_the_plateau(model: &Model<'_>, fit: &Fitted) -> Result<Option<(Vec<f64>, Linear)>, Error> {
     let (changes, Some(here)) = (changing(model), &fit.linear) else { return Ok(None) };
     let is_flat = |linear: &Linear, k: usize| {
@@ -191,8 +192,9 @@ impl Fitted {
     }
 }
 
-/// The logarithms of the unknowns with the least loss, by a search from the logarithms `begin` at which the model predicts all slips. If the
-/// residuals exceed the given standard deviations at 95 %, these deviations are multiplied by a common factor, and the search continues.
+/// The logarithms of the parameters with the least loss, by a search from the logarithms `begin` at which the model predicts slip for all
+/// observations. If the residuals exceed the given standard deviations at 95 %, these deviations are multiplied by a common factor, and the search
+/// continues.
 pub(super) fn fitted_from(model: &Model<'_>, begin: Vec<f64>, linear: Linear) -> Result<Fitted, Error> {
     let mut fit = fitted_with(model, begin, linear, false)?;
     if !fit.scatter.is_estimated
@@ -204,9 +206,10 @@ pub(super) fn fitted_from(model: &Model<'_>, begin: Vec<f64>, linear: Linear) ->
     loosened(model, fit)
 }
 
-/// Returns `fit`, or another fit that explains the slips as well. If a single slip determines an unknown, its observed load may be low by scatter
-/// alone. The search is therefore repeated with this unknown doubled, so that its contact slips first in no observation. The new fit is returned
-/// unless `fit` is better at 95 %. Any of the slips may be low by scatter, so the level of the test is corrected for their number (Bonferroni).
+/// Returns `fit`, or another fit that explains the observations as well. If a single observation determines a parameter, its load may be low by
+/// scatter alone. The search is therefore repeated with this parameter doubled, so that its contact slips first in no observation. The new fit is
+/// returned unless `fit` is better at 95 %. Any of the observations may be low by scatter, so the level of the test is corrected for their number
+/// (Bonferroni).
 fn loosened(model: &Model<'_>, mut fit: Fitted) -> Result<Fitted, Error> {
     let probability = 1.0 - 0.05 / model.asked.slips.len() as f64;
     for unknown in 0..fit.logs.len() {
@@ -269,35 +272,35 @@ fn fitted_with(
                 Ok(linear) if model.loss(&linear.residuals, &fit.scatter) < loss => {
                     break Some((stepped, linear));
                 }
-                // Damping grows, so the steps that are tried become shorter. Only the last and shortest step shows whether the region in which the
-                // model predicts all slips ends at this point.
+                // Damping grows, so the steps that are tried become shorter. Only the last and shortest step shows whether this point is at the
+                // boundary of the region in which the model predicts slip for all observations.
                 Ok(_) => unseen = None,
                 Err(none) => unseen = Some(none),
             }
             damping *= 10.0;
         };
         let Some((stepped, better)) = better else {
-            // Not even the shortest step decreases the loss: the minimum is at a kink, or at the edge of the region where the model predicts all
-            // slips.
+            // Not even the shortest step decreases the loss. The minimum is at a kink, or at the boundary of the region where the model predicts slip
+            // for all observations.
             fit.end = unseen.map_or(FitEnd::Converged, |(slip, why)| FitEnd::NoSlip(slip, why));
             break;
         };
         (fit.logs, linear) = (stepped, better);
         damping = (damping * 0.1).max(f64::EPSILON);
     }
-    // Derivatives, and with them errors, are kept only if the model predicts all slips at the end.
+    // Derivatives, and with them errors, are kept only if the model predicts slip for all observations at the end.
     fit.linear = Some(linear).filter(|_| !matches!(fit.end, FitEnd::NoSlip(..)));
     Ok(fit)
 }
 
-/// Number of independent combinations of unknowns that the slips and known sums (sums of unknowns from other measurements) determine.
+/// Number of independent combinations of parameters that observations and known sums determine.
 pub(super) fn rank(linear: &Linear) -> usize {
     let (values, ..) = singular(&linear.jacobian, &linear.residuals, &vec![1.0; linear.residuals.len()]);
     let most = values.iter().copied().fold(0.0, f64::max);
     values.iter().filter(|value| **value > INDISTINCT * most).count()
 }
 
-/// The linearised least-squares problem at one set of values of the unknowns, as a singular value decomposition, from which damped steps follow.
+/// The linearised least-squares problem at one set of values of the parameters, as a singular value decomposition, from which damped steps follow.
 struct LinearisedFit {
     /// Singular values of the weighted derivatives.
     values: Vec<f64>,
@@ -308,8 +311,8 @@ struct LinearisedFit {
 }
 
 impl LinearisedFit {
-    /// The linearised least-squares problem at the point of `linear`. Each observation is weighted by its scatter and by Huber's weight of its
-    /// residual.
+    /// The linearised least-squares problem at the point of `linear`. Each residual is weighted by the inverse of its standard deviation and by the
+    /// root of Huber's weight.
     fn of(model: &Model<'_>, linear: &Linear, scatter: &Scatter) -> Self {
         let row = |(k, (r, sigma)): (usize, (&f64, &f64))| model.weight(k, r / sigma).sqrt() / sigma;
         let weights: Vec<_> = linear.residuals.iter().zip(&scatter.rows).enumerate().map(row).list();
@@ -317,8 +320,8 @@ impl LinearisedFit {
         Self { values, directions, along }
     }
 
-    /// The step in the logarithms of the unknowns for the damping `damping`, a fraction of the square of the largest singular value. Zero along
-    /// combinations of unknowns that the slips do not determine.
+    /// The step in the logarithms of the parameters for the damping `damping`, a fraction of the square of the largest singular value. The step is
+    /// zero along combinations of parameters that the observations do not determine.
     fn step(&self, damping: f64) -> DVector<f64> {
         let most = self.values.iter().copied().fold(0.0, f64::max);
         let mut step = DVector::zeros(self.directions.nrows());
@@ -340,7 +343,7 @@ impl LinearisedFit {
 }
 
 /// The singular values of the matrix of weighted derivatives, its right singular vectors as columns, and the components of the weighted residuals
-/// along the left singular vectors. Each of the three lists has one entry for every unknown.
+/// along the left singular vectors. Each of the three lists has one entry for every parameter.
 pub(super) fn singular(
     jacobian: &DMatrix<f64>,
     residuals: &[f64],

@@ -1,9 +1,9 @@
-//! Predicts gross slip, the load at which the object is lost: it slides at all contacts, tips over or leaves in another way. The derivatives of this
-//! load with respect to the unknowns, such as coefficients of friction, are computed, too. An observation is a load, or the angle of a turning load,
-//! at which slip was seen. The load factor is the multiple of the observed load.
+//! Predicts gross slip with a model of the grasp: the load at which the object is lost. It slides at all contacts, tips over or leaves in another
+//! way. An observation is a load, or the angle of a turning load, at which slip was observed. The load factor is a multiple of the observed load. The
+//! derivatives of the load factor with respect to the parameters that are sought, such as coefficients of friction, are computed, too.
 //!
 //! In an experiment an object is seen to slip as soon as it leaves, even if a gap closes afterwards and the load path continues. The gross slip that
-//! the model predicts is therefore the first event at which the object leaves.
+//! the model predicts is therefore the first event of the load path at which the object leaves.
 
 use core::f64::consts::TAU;
 
@@ -18,7 +18,7 @@ use crate::load_path::{Leg, PathEnd};
 use crate::numerics::mapped;
 use crate::prelude::*;
 
-/// The load factor or angle, rad, at which the model predicts gross slip for one observation. Derivatives with respect to the unknowns are computed
+/// The load factor or angle, rad, at which the model predicts gross slip for one observation. Derivatives with respect to the parameters are computed
 /// if asked for. The inner error is the reason why no slip is predicted.
 pub(super) fn predicted(target: &SlipToPredict<'_>) -> Result<Result<Predicted, PredictionFailure>, Error> {
     let (start, leg, most) = match target.slip.growing_load() {

@@ -1,20 +1,20 @@
-//! Standard errors of estimates if slips of one group may share an error, by a sandwich estimator. A known sum is a sum of unknowns that is known
+//! Standard errors of estimates if observations of one group may share an error, by a sandwich estimator. An observation is a load, or the angle of a
+//! turning load, at which slip was observed. A parameter is a number of the grasp that is estimated. A known sum is a sum of parameters that is known
 //! from another measurement.
 //!
-//! A slip is an observation: the load, or the angle of a load, at which a contact began to slide. A prime denotes the transpose. The matrix U_g has a
-//! row for each slip of group g: the derivatives of its predicted load with respect to the unknowns, divided by its standard deviation. The
-//! derivatives are taken along a basis of the logarithms of the unknowns, chosen such that `Σ U_g'U_g = 1`. Let e_g be the residuals of these slips,
-//! divided in the same way, and `Q_g = U_g'U_g`. Group g contributes `w_g` to the estimates. The power of `1 - Q_g` corrects for the influence of the
-//! group's own residuals on them:
+//! A prime denotes the transpose. The matrix U_g has a row for each observation of group g: the derivatives of its predicted load with respect to the
+//! parameters, divided by its standard deviation. The derivatives are taken along a basis of the logarithms of the parameters, chosen such that `Σ
+//! U_g'U_g = 1`. Let e_g be the residuals of these observations, divided by their standard deviations, and `Q_g = U_g'U_g`. Group g contributes `w_g`
+//! to the estimates. The power of `1 - Q_g` corrects for the influence of the group's own residuals on them:
 //!
 //! ```text
 //! w_g = (1 - Q_g)^(-1/2) U_g'e_g
 //! ```
 //!
-//! This is the correction CR2 of Bell and McCaffrey, with matrices of the size of the few unknowns instead of the many slips:
-//! `U'(1 - UU')^(-1/2) = (1 - U'U)^(-1/2) U'`. The variance of an unknown with the components c in this basis is `Σ (c'w_g)²`. Let
-//! `a_g = (1 - Q_g)^(-1/2) c`, and `δ_gh` be 1 if g = h, else 0. If the rows were independent, the numbers `c'w_g` would have the covariances
-//! `Ω_gh = δ_gh a_g'Q_g a_g - (Q_g a_g)'(Q_h a_h)`. The degrees of freedom are Satterthwaite's, `(tr Ω)² / tr Ω²`.
+//! This is the correction CR2 of Bell and McCaffrey. Its matrices have the dimension of the few parameters instead of the many observations, because
+//! `U'(1 - UU')^(-1/2) = (1 - U'U)^(-1/2) U'`. The variance of a parameter with the components c in this basis is `Σ (c'w_g)²`. Let `a_g = (1 -
+//! Q_g)^(-1/2) c`, and `δ_gh` be 1 if g = h, else 0. If the rows were independent, the numbers `c'w_g` would have the covariances `Ω_gh = δ_gh
+//! a_g'Q_g a_g - (Q_g a_g)'(Q_h a_h)`. The degrees of freedom are Satterthwaite's, `(tr Ω)² / tr Ω²`.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -22,36 +22,36 @@ use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::numerics::{IntoList, mapped, paired, summed, symmetric_eigen};
 use crate::prelude::*;
 
-/// Groups of slips (slips of one group may share an error), with the contribution of each group to the estimates and to their standard errors.
+/// Groups of observations that may share an error, with the contribution of each group to the estimates and to their standard errors.
 pub(super) struct Grouped {
     groups: Vec<Group>,
-    /// The information matrix `UᵀU` of the known sums of unknowns, which are in no group. The rows U are the derivatives of these sums, each divided
-    /// by a standard deviation.
+    /// The information matrix `U'U` of the known sums of parameters, which are in no group. The rows of U are the derivatives of these sums, each
+    /// divided by a standard deviation.
     known: DMatrix<f64>,
 }
 
-/// One group of slips that may share an error.
+/// One group of observations that may share an error.
 struct Group {
-    /// The information matrix `Q = U'U` of the group. The rows U are the derivatives of its slips, divided by standard deviations.
+    /// The information matrix `Q = U'U` of the group. The rows of U are the derivatives of its predicted loads, divided by standard deviations.
     tells: DMatrix<f64>,
     /// The matrix (1 - Q)^(-1/2), which corrects for the influence of the group's own residuals on the estimates.
     made_up: DMatrix<f64>,
-    /// The contribution w of the group to the estimated logarithms of the unknowns, corrected by the matrix `made_up`.
+    /// The contribution w of the group to the estimated logarithms of the parameters, corrected by the matrix `made_up`.
     moves: DVector<f64>,
 }
 
-/// The error of the estimate of one unknown, from groups.
+/// The error of the estimate of one parameter, from groups.
 pub(super) struct GroupedError {
-    /// Variance of the estimated logarithm of the unknown.
+    /// Variance of the estimated logarithm of the parameter.
     pub(super) variance: f64,
     /// Satterthwaite's degrees of freedom of the variance.
     pub(super) degrees: f64,
 }
 
 impl Grouped {
-    /// Computes the contribution of each group. `rows` holds the derivatives of slips and known sums, divided by standard deviations. They are taken
-    /// along a basis of the unknowns such that the columns of `rows` are orthonormal. Rows of slips come first, one for each entry of `groups`;
-    /// `residuals` are in the same order.
+    /// Computes the contribution of each group. `rows` holds the derivatives of predicted loads and known sums, divided by standard deviations. They
+    /// are taken along a basis of the parameters such that the columns of `rows` are orthonormal. Rows of observations come before those of known
+    /// sums, one for each entry of `groups`; `residuals` are in the same order.
     pub(super) fn of(rows: &DMatrix<f64>, residuals: &[f64], groups: &[usize]) -> Self {
         let mut names = groups.to_vec();
         names.sort_unstable();
@@ -77,8 +77,8 @@ impl Grouped {
         Self { groups: mapped(&members, &group), known: square(&known) }
     }
 
-    /// The error of an unknown, given by its components in the basis of the rows. `None` if one group alone determines the unknown, or if directions
-    /// that one group alone determines contribute more than 1 % of the expected variance.
+    /// The error of a parameter, given by its components in the basis of the rows. `None` if directions that one group alone determines contribute
+    /// more than 1 % of the expected variance.
     pub(super) fn of_unknown(&self, unknown: &DVector<f64>) -> Option<GroupedError> {
         let sure = unknown.dot(&(&self.known * unknown));
         let variance = sure + summed(&self.groups, &|group| group.moves.dot(unknown).powi(2));
@@ -96,15 +96,15 @@ impl Grouped {
                 squares += covariance(g, h).powi(2);
             }
         }
-        // Directions in the logarithms of the unknowns that one group alone determines have no known error. If they contribute more than 1 % of the
-        // expected variance, the unknown has no known error.
+        // Directions in the logarithms of the parameters that one group alone determines have no known error. If they contribute more than 1 % of the
+        // expected variance, the parameter has no known error.
         let is_seen = expected >= (1.0 - 1e-2) * unknown.norm_squared();
         is_seen.then(|| GroupedError { variance, degrees: expected * expected / squares })
     }
 }
 
-/// The matrix (1 - Q)^(-1/2) for the information matrix Q of a group. Along directions that this group alone determines, Q is 1, and zero is taken
-/// instead of infinity.
+/// The matrix (1 - Q)^(-1/2) for the information matrix Q of a group. Along directions that this group alone determines, Q is 1 and the inverse root
+/// is infinite; zero is taken instead.
 fn inverse_root_of_rest(tells: &DMatrix<f64>) -> DMatrix<f64> {
     let (values, vectors) = symmetric_eigen(tells);
     let root = |part: &f64| {
@@ -119,7 +119,7 @@ fn inverse_root_of_rest(tells: &DMatrix<f64>) -> DMatrix<f64> {
 mod tests {
     use super::*;
 
-    /// The rows of derivatives `rows`, in a basis of the unknowns in which their columns are orthonormal.
+    /// The rows of derivatives `rows`, in a basis of the parameters in which their columns are orthonormal.
     fn in_directions(rows: &DMatrix<f64>) -> DMatrix<f64> {
         rows.clone().qr().q()
     }
@@ -141,9 +141,9 @@ mod tests {
         assert!((found.degrees - 3.0).abs() < 1e-12, "{}", found.degrees);
     }
 
-    /// A straight line through three uneven groups. The result is compared with the definition by matrices of the size of all slips,
-    /// `V = B Σ X_g'A_g e_g e_g'A_g X_g B`. X_g are the rows of the design matrix for group g, e_g its residuals, and B the covariance of the
-    /// unknowns. H is the hat matrix, and `A_g = (1 - H)_gg^(-1/2)`. Satterthwaite's degrees of freedom are computed from the whole matrix `1 - H`.
+    /// A straight line through three uneven groups. The result is compared with the definition by matrices with a row for each observation, `V = B Σ
+    /// X_g'A_g e_g e_g'A_g X_g B`. X_g are the rows of the design matrix for group g, e_g its residuals, and B the covariance of the parameters. H is
+    /// the hat matrix, and `A_g = (1 - H)_gg^(-1/2)`. Satterthwaite's degrees of freedom are computed from the whole matrix `1 - H`.
     #[test]
     fn a_line_by_its_definition() {
         let groups = [0, 0, 0, 1, 1, 2, 2, 2, 2];
@@ -172,7 +172,7 @@ mod tests {
         assert!((found.degrees / degrees - 1.0).abs() < 1e-9, "{} {degrees}", found.degrees);
     }
 
-    /// Each of two groups determines one unknown alone; no error is known for such an unknown.
+    /// Each of two groups determines one parameter alone; no error is known for such a parameter.
     #[test]
     fn what_one_group_tells_alone() {
         let rows = DMatrix::from_fn(4, 2, |k, j| if k / 2 == j { 0.5_f64.sqrt() } else { 0.0 });

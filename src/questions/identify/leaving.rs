@@ -1,5 +1,5 @@
 //! The motion with which the object leaves at gross slip (the loss of the object). From it follow the derivatives of the load factor at gross slip
-//! with respect to the unknowns, such as coefficients of friction.
+//! with respect to the parameters that are sought, such as coefficients of friction. The load factor is a multiple of the observed load.
 //!
 //! Let W₀ be the constant load and W the growing load. At contact i, nᵢ is the wrench of a unit force along the normal; the columns of Tᵢ are the
 //! wrenches of unit forces along the tangents. The contact has the coefficient of friction μᵢ, the normal force Nᵢ and the normal stiffness kᵢ. If
@@ -12,8 +12,8 @@
 //!
 //! The first sum is over the contacts i that press. The second sum is over the contacts j that stick, whose velocity is zero. The unknowns of the
 //! equations are λ, the direction of m, the tangential forces fⱼ, and the displacement y that has changed the normal forces: dNᵢ = −kᵢ nᵢᵀ dy. There
-//! are as many equations as unknowns. Newton's method starts from the state at the end of the load path. The root and its exact derivatives do not
-//! depend on the path, and hence not on tangential springs and commands.
+//! are as many equations as unknowns. Newton's method starts from the equilibrium at the end of the load path. The root and its exact derivatives do
+//! not depend on the path, and hence not on tangential springs and tangential commands.
 
 use nalgebra::{DMatrix, DVector, SVector};
 
@@ -26,8 +26,8 @@ use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
 use crate::numerics::{Singular, largest, mapped, matrix_of, summed};
 use crate::prelude::*;
 
-/// The state of the object and its pressing contacts at gross slip, as a root of the equilibrium equations at the top of this file. Moments are
-/// divided by `length`, rotations multiplied by it.
+/// The equilibrium of the object and its pressing contacts at gross slip, as a root of the equations at the top of this file. Moments are divided by
+/// `length`, rotations multiplied by it.
 pub(super) struct GrossSlip<'a, 's> {
     target: &'a SlipToPredict<'s>,
     /// The length that makes moments and rotations comparable with forces and displacements, m: the distance of the farthest contact from the origin.
@@ -39,8 +39,8 @@ pub(super) struct GrossSlip<'a, 's> {
 }
 
 impl<'a, 's> GrossSlip<'a, 's> {
-    /// The state at gross slip, from the load factor, motion and forces at the end of a load path. `None` if a pressing contact opens as the object
-    /// leaves. Also `None` if the equations at the top of this file do not describe the grasp or have no root near the end of the path.
+    /// The equilibrium at gross slip, from the load factor, motion and forces at the end of a load path. `None` if a pressing contact opens as the
+    /// object leaves. Also `None` if the equations at the top of this file do not describe the grasp or have no root near the end of the path.
     pub(super) fn from_end(
         target: &'a SlipToPredict<'s>,
         at: f64,
@@ -70,7 +70,7 @@ impl<'a, 's> GrossSlip<'a, 's> {
     }
 
     /// Solves the equilibrium equations at the top of this file by Newton's method. `None` unless it converges to a root in which all contacts press,
-    /// and whose load factor is that at the end of the load path.
+    /// and whose load factor equals, up to rounding, that at the end of the load path.
     fn at_root(mut self) -> Option<Self> {
         let began_at = self.at;
         let (_, free) = spaces(&self.fixed_directions(), self.motion.len());
@@ -150,8 +150,8 @@ impl<'a, 's> GrossSlip<'a, 's> {
         self.at += step[step.len() - 1];
     }
 
-    /// Derivatives of the logarithm of the load factor (or angle) at gross slip with respect to the logarithms of the unknowns. `None` if the load
-    /// factor has a kink here, as a function of the unknowns. The linearised equations then have no solution for a change of some unknown.
+    /// Derivatives of the logarithm of the load factor (or angle) at gross slip with respect to the logarithms of the parameters. `None` if the load
+    /// factor has a kink here, as a function of the parameters. The linearised equations then have no solution for a change of some parameter.
     pub(super) fn derivatives(&self) -> Option<Vec<f64>> {
         let equations = Equations::of(self)?;
         self.target.by_unknowns(&|kind, unknown, value| {
@@ -162,7 +162,7 @@ impl<'a, 's> GrossSlip<'a, 's> {
         })
     }
 
-    /// The derivative of [`Self::residual`] with respect to the logarithm of an unknown with this kind, index and value.
+    /// The derivative of the sum of wrenches, [`Self::residual`], with respect to the logarithm of a parameter with this kind, index and value.
     fn change(&self, kind: UnknownKind, unknown: usize, value: f64) -> DVector<f64> {
         let mut sum = DVector::zeros(self.motion.len());
         let contacts = self.target.grasp.contacts();
@@ -202,7 +202,7 @@ struct Equations {
 }
 
 impl Equations {
-    /// Linearises the equations at the state `leaving`. `None` if they do not determine the load factor, or a number overflows.
+    /// Linearises the equations at the equilibrium `leaving`. `None` if they do not determine the load factor, or a number overflows.
     fn of(leaving: &GrossSlip<'_, '_>) -> Option<Self> {
         let (size, motion, pressing) = (leaving.motion.len(), &leaving.motion, &leaving.pressing);
         let normals: Vec<_> = mapped(pressing, &|contact| contact.normal.clone());
@@ -253,12 +253,12 @@ impl Equations {
     }
 
     /// The solution of the linearised equations for the right-hand side `change`. Among least-squares solutions it has the least norm, each unknown
-    /// measured in the unit in which its column of `matrix` has length one.
+    /// of the equations measured in the unit in which its column of `matrix` has length one.
     fn solved(&self, change: &DVector<f64>) -> DVector<f64> {
         self.parts.solve(change, NEGLIGIBLE).component_mul(&self.scales)
     }
 
-    /// Converts a step of the unknowns to units of the scaled columns.
+    /// Converts a Newton step of the unknowns of the equations (y, m, fⱼ and λ) to the units in which the columns of `matrix` have length one.
     fn scaled(&self, step: &DVector<f64>) -> DVector<f64> {
         step.zip_map(&self.scales, |x, scale| if scale > 0.0 { x / scale } else { 0.0 })
     }

@@ -1,7 +1,7 @@
-//! The model of a grasp with unknown data: predicted loads at slips, and their derivatives with respect to the unknowns. An unknown is a number of
-//! the grasp, such as a coefficient of friction. A slip is a load or angle at which a contact, or the object, was observed to slip. A known sum is a
-//! sum of unknowns that is known from another measurement. A carried force is the normal force of a contact before the load of a slip grows. The
-//! squeeze is all that presses without a load.
+//! The model of a grasp for trial values of the parameters: the loads at which it predicts slip, and their derivatives. A parameter is
+//! a number of the grasp that is sought, such as a coefficient of friction. An observation ([`Slip`]) is a load or angle at which slip was observed.
+//! A known sum is a sum of parameters that is known from another measurement. A carried force is the normal force of a contact before the load of an
+//! observation grows. The load factor is a multiple of the observed load. The squeeze is everything by which contacts press at rest without a load.
 
 use nalgebra::DMatrix;
 
@@ -17,26 +17,26 @@ use crate::numerics::{IntoList, chosen, every_index, mapped, summed};
 use crate::prelude::*;
 use crate::sweep::map_in_order;
 
-/// Step of a central difference in the logarithm of an unknown. Truncation and rounding then both cause relative errors of some 1e-8.
+/// Step of a central difference in the logarithm of a parameter. Truncation and rounding then both cause relative errors of some 1e-8.
 const LOGARITHM_STEP: f64 = 1e-4;
 
-/// The model: the question [`Identify`], with a grasp for each layout of the contact points in which slips were observed.
+/// The model: the question [`Identify`], with a grasp for each layout (arrangement of the contact points) in which slip was observed.
 pub(super) struct Model<'a> {
     pub(super) layouts: &'a [Grasp<3>],
     pub(super) asked: &'a Identify<3>,
 }
 
-/// The grasp of one layout (arrangement of the contact points) with trial values of the unknowns. `base` is the constant load that balances the
-/// carried forces among the unknowns.
+/// The grasp of one layout (arrangement of the contact points) with trial values of the parameters. `base` is the constant load that balances the
+/// carried forces among the parameters.
 pub(super) struct LayoutGuess {
     pub(super) grasp: Grasp<3>,
     pub(super) base: Wrench<3>,
 }
 
-/// The reason why the model predicts no load or angle for a slip.
+/// The reason why the model predicts no slip for an observation.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum PredictionFailure {
-    /// The grasp holds however far the load grows: friction, or the squeeze, is too large for the observed slip. The text is the reason as a clause.
+    /// The grasp holds however far the load grows: friction, or the squeeze, is too large for the observed load. The text is the reason as a clause.
     HoldsTooWell(&'static str),
     /// A contact slides, or the object is lost, before the load grows: friction, or the squeeze, is too small. The text is the reason as a clause.
     HoldsTooLittle(&'static str),
@@ -51,29 +51,29 @@ impl PredictionFailure {
     }
 }
 
-/// The load factor or angle at which the model predicts a slip, with derivatives.
+/// The load factor or angle at which the model predicts slip, with derivatives.
 #[derive(Clone)]
 pub(super) struct Predicted {
     /// The load factor, or the angle of a turning load, rad.
     pub(super) at: f64,
-    /// The derivatives of the logarithm of this load factor or angle with respect to the logarithms of the unknowns, if exact derivatives are known.
+    /// The derivatives of the logarithm of `at` with respect to the logarithms of the parameters, if exact derivatives are known.
     pub(super) exact: Option<Vec<f64>>,
 }
 
-/// The residuals of all observations (slips, and sums of unknowns from other measurements) and their derivatives, for one set of values of the
-/// unknowns.
+/// The residuals of all observations and known sums, and their derivatives, for one set of values of the parameters.
 #[derive(Clone)]
 pub(super) struct Linear {
-    /// Logarithm of the observed over the predicted value, for each slip and then for each known sum of unknowns.
+    /// Logarithm of the observed over the predicted value, for each observation and then for each known sum of parameters.
     pub(super) residuals: Vec<f64>,
-    /// Derivatives of the logarithm of the predicted value with respect to the logarithms of the unknowns, one row for each residual.
+    /// Derivatives of the logarithm of the predicted value with respect to the logarithms of the parameters, one row for each residual.
     pub(super) jacobian: DMatrix<f64>,
-    /// Number of slips without exact derivatives. Their derivatives are difference quotients of predictions.
+    /// Number of observations without exact derivatives. Their derivatives are difference quotients of predictions.
     pub(super) by_differences: usize,
 }
 
 impl Model<'_> {
-    /// The grasps of all layouts with the unknowns whose logarithms are `logs`, each with the constant load that balances the unknown carried forces.
+    /// The grasps of all layouts with the parameters whose logarithms are `logs`, each with the constant load that balances the carried forces
+    /// sought.
     pub(super) fn at(&self, logs: &[f64]) -> Result<Vec<LayoutGuess>, Error> {
         let mut guesses = Vec::with_capacity(self.layouts.len());
         for (layout, grasp) in self.layouts.iter().enumerate() {
@@ -97,8 +97,8 @@ impl Model<'_> {
         Ok(guesses)
     }
 
-    /// The residuals of all observations alone. The inner error holds the index, from 0, of the first slip that the model does not predict, and the
-    /// reason.
+    /// The residuals of all observations and known sums. The inner error holds the index, from 0, of the first observation in the list for which the
+    /// model predicts no slip, and the reason.
     pub(super) fn residuals(
         &self,
         logs: &[f64],
@@ -106,8 +106,8 @@ impl Model<'_> {
         Ok(self.predicted(logs, false)?.map(|all| self.log_residuals(logs, &all)))
     }
 
-    /// The residuals of all observations and their derivatives. The inner error holds the index, from 0, of the first slip that the model does not
-    /// predict, and the reason.
+    /// The residuals of all observations and known sums, and their derivatives. The inner error holds the index, from 0, of the first observation in
+    /// the list for which the model predicts no slip, and the reason.
     pub(super) fn linear(&self, logs: &[f64]) -> Result<Result<Linear, (usize, PredictionFailure)>, Error> {
         let all = match self.predicted(logs, true)? {
             Ok(all) => all,
@@ -136,14 +136,15 @@ impl Model<'_> {
                 jacobian[(slips + k, *j)] = logs[*j].exp() / sum;
             }
         }
-        // Small difference quotients may be mere rounding, and would make a slip seem to depend on an unknown. They are set to zero.
+        // Small difference quotients may be mere rounding, and are set to zero. Otherwise a prediction would seem to depend on parameters on which it
+        // does not.
         jacobian.apply(|x| *x = if x.abs() > INDISTINCT { *x } else { 0.0 });
         Ok(Ok(Linear { residuals: self.log_residuals(logs, &all), jacobian, by_differences: unknown.len() }))
     }
 
-    /// Derivatives, by central differences, of the logarithms of predicted loads with respect to the logarithm of unknown number `column`. `those`
-    /// are the indices of the slips. If the model predicts no slip for one of the two changed values, the difference is one-sided. If it predicts
-    /// none for both, the derivative is zero.
+    /// Derivatives, by central differences, of the logarithms of predicted loads with respect to the logarithm of parameter number `column`. `those`
+    /// are the indices of the observations. If the model predicts no slip for one of the two changed values, the difference is one-sided. If it
+    /// predicts none for both, the derivative is zero.
     fn differences(
         &self,
         logs: &[f64],
@@ -175,7 +176,7 @@ impl Model<'_> {
         Ok(up.into_iter().zip(down).zip(those).map(difference).list())
     }
 
-    /// Logarithm of the observed over the predicted value, for each slip and then for each known sum of unknowns.
+    /// Logarithm of the observed over the predicted value, for each observation and then for each known sum of parameters.
     fn log_residuals(&self, logs: &[f64], all: &[Predicted]) -> Vec<f64> {
         let slips = self
             .asked
@@ -208,7 +209,7 @@ impl Model<'_> {
         Ok(Ok(all))
     }
 
-    /// Predicts the slips with the indices `those`, on all cores. A slip that was observed several times under the same conditions is predicted once.
+    /// Predicts slip for the observations with the indices `those`, on all cores. Observations under the same conditions are predicted once.
     fn slips(
         &self,
         those: &[usize],
@@ -230,7 +231,8 @@ impl Model<'_> {
         mapped(&alike, &|place| prediction[*place].clone())
     }
 
-    /// Predicts one slip: its load factor or angle, with derivatives if asked for. The inner error is the reason why no slip is predicted.
+    /// Predicts slip for one observation: its load factor or angle, with derivatives if asked for. The inner error is the reason why none is
+    /// predicted.
     fn slip(
         &self,
         layouts: &[LayoutGuess],
@@ -263,15 +265,15 @@ impl Model<'_> {
     }
 }
 
-/// The data for the prediction of one slip: the grasp with trial values of the unknowns (`logs` are their logarithms), the loads, and the question.
+/// The data for the prediction of one observation: the grasp with trial values of the parameters (their logarithms are `logs`), loads and question.
 pub(super) struct SlipToPredict<'a> {
     pub(super) grasp: &'a Grasp<3>,
-    /// The constant loads that act before the load of the slip grows.
+    /// The constant loads that act before the observed load grows.
     pub(super) base: Wrench<3>,
     pub(super) slip: &'a Slip<3>,
     pub(super) asked: &'a Identify<3>,
     pub(super) logs: &'a [f64],
-    /// Whether the prediction shall include derivatives with respect to the unknowns.
+    /// Whether the prediction includes derivatives with respect to the parameters.
     pub(super) derivatives: bool,
 }
 
@@ -295,15 +297,15 @@ impl SlipToPredict<'_> {
         }
     }
 
-    /// The contact points to which the unknown with this index belongs, in the layout (arrangement of the contact points) of this slip.
+    /// The contact points to which the parameter with this index belongs, in the layout (arrangement of the contact points) of this observation.
     pub(super) fn contacts_of(&self, unknown: usize) -> impl Iterator<Item = usize> {
         let (unknown, layout) = (&self.asked.unknowns[unknown], self.slip.layout());
         (0..self.grasp.len()).filter(move |i| unknown.is_of(layout, *i))
     }
 
-    /// The derivatives of the logarithm of a predicted load factor or angle with respect to the logarithms of all unknowns, in order. `by` returns
-    /// the derivative with respect to one unknown, given its kind (friction, carried force, squeeze or stiffness), index and value. The derivatives
-    /// with respect to unknowns of other layouts are zero. `None` if one derivative is not known or not finite.
+    /// The derivatives of the logarithm of a predicted load factor or angle with respect to the logarithms of all parameters, in order. `by` returns
+    /// the derivative with respect to one parameter, given its kind (friction, carried force, squeeze or stiffness), index and value. The derivatives
+    /// with respect to parameters of other layouts are zero. `None` if one derivative is not known or not finite.
     pub(super) fn by_unknowns(
         &self,
         by: &dyn Fn(UnknownKind, usize, f64) -> Option<f64>,
@@ -321,7 +323,8 @@ impl SlipToPredict<'_> {
         Some(all)
     }
 
-    /// Whether the squeeze is due to commands of contacts alone, not to forces, tensions, joints or a vacuum. Exact derivatives are known only in this case.
+    /// Whether the squeeze is due to commands of contacts alone, not to given forces, tensions, joints or a vacuum. Only then are exact derivatives
+    /// with respect to a factor on the squeeze known, and those of the load of gross slip.
     pub(super) fn is_pressed_by_commands(&self) -> bool {
         let grasp = self.grasp;
         grasp.joint_commands().is_empty()

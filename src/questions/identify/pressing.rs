@@ -1,5 +1,5 @@
-//! The wrenches that contacts exert on the object as it leaves at gross slip (the loss of the object): of normal forces, of friction, and their
-//! derivatives.
+//! The wrenches that contacts exert on the object as it leaves at gross slip (the loss of the object): those of normal forces and of friction, and
+//! their derivatives with respect to the motion.
 
 use nalgebra::{DMatrix, DVector, SVector};
 
@@ -20,7 +20,7 @@ pub(super) struct Pressing {
     pub(super) stiffness: f64,
     pub(super) friction: f64,
     pub(super) normal_force: f64,
-    /// The tangential force of a sticking contact in its frame, N.
+    /// The tangential force of a sticking contact, N, as components along its tangents.
     pub(super) held: DVector<f64>,
     pub(super) sticks: bool,
     /// Whether the normal force may pull, as at a bonded contact or at a contact that is kept closed.
@@ -55,7 +55,7 @@ impl Pressing {
     }
 }
 
-/// The contacts with a pressing force in `forces`, and all contacts that cannot open. Moments in their wrenches are divided by `length`.
+/// The contacts whose normal force in `forces` presses, and all contacts that cannot open. Moments in their wrenches are divided by `length`.
 pub(super) fn pressing(target: &SlipToPredict<'_>, forces: &[SVector<f64, 3>], length: f64) -> Vec<Pressing> {
     let (space, contacts) = (target.grasp.engine.space(), target.grasp.contacts());
     let largest = largest(forces, &|force| force[0].abs());

@@ -1,6 +1,6 @@
-//! The question of identification: the unknowns, the observed slips, other layouts, and known sums. An unknown is a number of the grasp, such as a
-//! coefficient of friction. A layout is an arrangement of the contact points. A known sum is a sum of unknowns that is known from another
-//! measurement. A carried force is the normal force of a contact before the load of a slip grows.
+//! The question which parameters of a grasp explain observed slip. A parameter is a number of the grasp that is sought, such as a coefficient of
+//! friction. An observation is a load or an angle at which slip was observed. A layout is an arrangement of the contact points. A known sum is a sum
+//! of parameters that is known from another measurement. A carried force is the normal force of a contact before the load of an observation grows.
 
 use crate::numerics::{IntoList, mapped};
 use nalgebra::SVector;
@@ -20,7 +20,7 @@ use crate::prelude::*;
 #[cfg(feature = "serde")]
 use crate::serial::AsGiven;
 
-/// Unknown numbers of a grasp, and the observed slips. Invalid values are refused when the question is asked.
+/// The parameters of a grasp that are sought, and the observations from which they follow. Invalid values are refused when the question is asked.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 #[cfg_attr(
@@ -30,22 +30,22 @@ use crate::serial::AsGiven;
 )]
 #[must_use]
 pub struct Identify<const C: usize> {
-    /// The unknown numbers of the grasp that are estimated from the slips.
+    /// The parameters of the grasp that are estimated from the observations.
     pub(crate) unknowns: Vec<Unknown>,
-    /// The observed slips, each with its load or angle.
+    /// The observations: loads or angles at which the grasp was observed to slip.
     pub(crate) slips: Vec<Slip<C>>,
-    /// Contact points of other layouts in which slips were observed, m. A layout is one arrangement of the contact points; the first one here is
-    /// layout 1.
+    /// Contact points of other layouts in which slip was observed, m. A layout is one arrangement of the contact points; the first one in this list
+    /// is layout 1.
     #[cfg_attr(
         feature = "serde",
         serde(default, with = "AsGiven::<Vec<Vec<SVector<f64, C>>>>", skip_serializing_if = "Vec::is_empty")
     )]
     #[cfg_attr(feature = "schema", schemars(!default))]
     pub(crate) layouts: Vec<Vec<SVector<f64, C>>>,
-    /// Sums of unknowns that are known from other measurements.
+    /// Sums of parameters that are known from other measurements.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub(super) known: Vec<KnownSum>,
-    /// Slips with residuals of more than this number of standard deviations get less weight; 2 if not given.
+    /// Observations with residuals of more than this number of standard deviations get less weight; 2 if not given.
     #[cfg_attr(
         feature = "serde",
         serde(default, with = "AsGiven::<Option<f64>>", skip_serializing_if = "Option::is_none")
@@ -55,13 +55,13 @@ pub struct Identify<const C: usize> {
     /// Upper limit of the number of steps of the search; 100 if not given.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(super) iterations: Option<usize>,
-    /// Grasps of other layouts in which slips were observed.
+    /// Grasps of other layouts in which slip was observed.
     #[cfg_attr(feature = "serde", serde(skip, default = "no_others"))]
     pub(super) others: OtherLayouts<C>,
 }
 
-/// The grasps of other layouts (arrangements of the contact points) in which slips were observed. Two such lists are equal if the contacts of all
-/// their grasps are equal, whatever their joints and settings.
+/// The grasps of other layouts (arrangements of the contact points) in which slip was observed. Two such lists are equal if the contacts of all their
+/// grasps are equal; joints and settings do not count.
 #[derive(Debug, Clone)]
 pub(super) struct OtherLayouts<const C: usize> {
     pub(super) grasps: Vec<Grasp<C>>,
@@ -79,12 +79,12 @@ fn no_others<const C: usize>() -> OtherLayouts<C> {
     OtherLayouts { grasps: Vec::new() }
 }
 
-/// A sum of unknowns that is known from another measurement.
+/// A sum of parameters that is known from another measurement.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub(super) struct KnownSum {
-    /// The indices of the unknowns in the sum, from 0.
+    /// The indices of the parameters in the sum, from 0.
     pub(super) unknowns: Vec<usize>,
     /// The value of the sum.
     pub(super) value: f64,
@@ -93,7 +93,7 @@ pub(super) struct KnownSum {
 }
 
 impl<const C: usize> Identify<C> {
-    /// The question for estimates of these unknowns from these slips.
+    /// The question for estimates of the parameters `unknowns` from the observations `slips`.
     pub fn new(
         unknowns: impl IntoIterator<Item = Unknown>,
         slips: impl IntoIterator<Item = Slip<C>>,
@@ -110,8 +110,8 @@ impl<const C: usize> Identify<C> {
     }
 
     setters! {
-        /// Adds a layout in which slips were observed: the points of its contacts, m, one for each contact. The grasp for which the question is asked is
-        /// layout 0, the first layout added is layout 1.
+        /// Adds a layout in which slip was observed: the points of its contacts, m, one for each contact. The grasp for which the question is asked
+        /// is layout 0, the first layout added is layout 1.
         pub fn with_points(mut self, points: impl IntoIterator<Item = impl Into<[f64; C]>>) {
             self.layouts.push(points.into_iter().map(|point| SVector::from(point.into())).list());
         }
@@ -121,14 +121,14 @@ impl<const C: usize> Identify<C> {
             self.others.grasps.extend(others);
         }
 
-        /// Adds a sum of unknowns (numbered from 0) whose value is known with the relative standard deviation `scatter`. Examples are a weighed total
-        /// load of all supports, or one unknown from another measurement.
+        /// Adds a sum of parameters, given by their indices `unknowns` from 0. Its value is known with the relative standard deviation `scatter`.
+        /// Examples are the weighed total load of all supports, or one parameter from another measurement.
         pub fn knowing(mut self, unknowns: impl IntoIterator<Item = usize>, value: f64, scatter: f64) {
             self.known.push(KnownSum { unknowns: unknowns.into_iter().list(), value, scatter });
         }
 
-        /// Sets the number of standard deviations beyond which slips get less weight (default 2). The loss is Huber's: quadratic up to this number, and
-        /// linear beyond. Infinity gives least squares.
+        /// Sets the number of standard deviations beyond which observations get less weight (default 2). The loss is Huber's: quadratic up to this
+        /// number, and linear beyond. Infinity gives least squares.
         #[doc(alias = "Huber")]
         pub fn with_outliers_beyond(mut self, deviations: f64) { self.outliers = Some(deviations); }
 
@@ -136,17 +136,17 @@ impl<const C: usize> Identify<C> {
         pub fn with_iterations(mut self, most: usize) { self.iterations = Some(most); }
     }
 
-    /// The grasp with the estimates `found` put in, such as a coefficient of friction or a squeeze. An unknown that the slips do not determine keeps
-    /// its value at the start of the search, or gets a value that fits the slips equally well.
+    /// The grasp with the estimates `found` put in, such as a coefficient of friction or a squeeze. A parameter that the observations do not
+    /// determine keeps its value at the start of the search, or gets a value that fits the observations equally well.
     ///
     /// # Errors
-    /// As for [`Grasp::identify`].
+    /// The errors of [`Grasp::identify`].
     pub fn grasp_with(&self, grasp: &Grasp<C>, found: &Identified) -> Result<Grasp<C>, Error> {
         inside(self).fitted_grasp(&inside(grasp), found).map(outside)
     }
 
-    /// Whether the unknowns include normal forces that contacts carry before the load of a slip grows. The load that presses on the contacts then
-    /// need not be given.
+    /// Whether forces are sought that contacts carry before the load of an observation grows. The load that presses on the contacts then need not be
+    /// given.
     #[cfg(feature = "serde")]
     pub(crate) fn seeks_carried(&self) -> bool {
         self.unknowns.iter().any(|unknown| unknown.kind == UnknownKind::Carried)
@@ -154,7 +154,7 @@ impl<const C: usize> Identify<C> {
 }
 
 impl Identify<3> {
-    /// [`Self::grasp_with`] for the engine, whose vectors have three components in the plane, too.
+    /// Puts the estimates `found` into `grasp`, in the engine's form, whose vectors have three components in the plane, too.
     fn fitted_grasp(&self, grasp: &Grasp<3>, found: &Identified) -> Result<Grasp<3>, Error> {
         let layouts = self.layouts(grasp)?;
         let asked = &self.of_points(&layouts)?;
@@ -163,7 +163,7 @@ impl Identify<3> {
         Ok(model.at(&logs)?.swap_remove(0).grasp)
     }
 
-    /// Searches for the unknowns in the engine's representation, whose vectors have three components in the plane, too.
+    /// Searches for the parameters in the engine's form, whose vectors have three components in the plane, too.
     fn answered_by(&self, grasp: &Grasp<3>) -> Result<Identified, Error> {
         let layouts = self.layouts(grasp)?;
         let asked = &self.of_points(&layouts)?.with_weights_at_rest(&layouts);
@@ -171,8 +171,8 @@ impl Identify<3> {
         assigned(&model, fitted(&model)?)
     }
 
-    /// Returns this question with the load of each slip [split in two](Slip::with_weight_at_rest) if nothing else presses on the contacts. The
-    /// component that presses on them then acts from the start. A slip keeps its load if carried forces are sought in its layout.
+    /// Returns this question with the load of each observation [split in two](Slip::with_weight_at_rest) if nothing else presses on the contacts. The
+    /// component that presses on them then acts from the start. An observation keeps its load if carried forces are sought in its layout.
     fn with_weights_at_rest(&self, layouts: &[Grasp<3>]) -> Self {
         let mut asked = self.clone();
         let is_carried =
@@ -185,19 +185,19 @@ impl Identify<3> {
         asked
     }
 
-    /// The number of standard deviations beyond which slips get less weight. With the default of two, one in twenty normally distributed residuals
-    /// gets less weight, and standard errors are 1 % larger than with least squares.
+    /// The number of standard deviations beyond which observations get less weight. With the default of two, one in twenty normally distributed
+    /// residuals gets less weight, and standard errors are 1 % larger than with least squares.
     pub(super) fn outliers(&self) -> f64 {
         self.outliers.unwrap_or(2.0)
     }
 
     /// The upper limit of the number of steps of the search. The default of 100 is enough: a search that takes longer only changes combinations of
-    /// unknowns that the slips hardly determine.
+    /// parameters that the observations hardly determine.
     pub(super) fn iterations(&self) -> usize {
         self.iterations.unwrap_or(100)
     }
 
-    /// The grasps of all layouts: the given grasp, copies of it with the contacts at other points, then the grasps of [`Self::and_layouts`].
+    /// The grasps of all layouts: the given grasp, copies of it with the contacts at other points, then the grasps that [`Self::and_layouts`] added.
     fn layouts(&self, grasp: &Grasp<3>) -> Result<Vec<Grasp<3>>, Error> {
         let mut all = vec![grasp.clone()];
         for points in &self.layouts {
@@ -219,8 +219,9 @@ impl Identify<3> {
         Ok(asked)
     }
 
-    /// A load that acts before any load grows. The code that reads scene files uses this load to check whether anything presses on the contacts. It
-    /// is the initial load of the first slip if carried forces are sought, or if every slip has an initial load; else zero.
+    /// A load that acts before any load grows. The code that reads scene files uses it to check whether anything presses on the contacts. If carried
+    /// forces are sought, or if every observation has an initial load, it is the initial load of the first observation in the list. Otherwise it is
+    /// zero.
     #[cfg(feature = "serde")]
     pub(crate) fn at_rest(&self) -> Wrench<3> {
         let mut all = self.slips.iter().map(Slip::at_rest);
@@ -265,7 +266,8 @@ pub(crate) const LAYOUTS_OF_HANDS: Error = Error::Question {
 };
 
 impl<const C: usize> Grasp<C> {
-    /// The estimates of unknown data of this grasp from observed slips; see the module [`identify`](crate::identify).
+    /// The estimates of parameters of this grasp, such as friction, from observed slip. The module [`identify`](crate::identify) describes the
+    /// method.
     ///
     /// ```
     /// use grasp_lcp::identify::{Identify, Slip, Unknown};
@@ -288,7 +290,7 @@ impl<const C: usize> Grasp<C> {
     /// ```
     ///
     /// # Errors
-    /// [`Error::Identify`] with the slip or the unknown, field, value and allowed values; as for [`Grasp::hold`].
+    /// [`Error::Identify`] with the observation or the parameter, the field, its value and the allowed values. Also the errors of [`Grasp::hold`].
     #[doc(alias = "calibrate")]
     #[doc(alias = "estimate")]
     #[doc(alias = "fit")]

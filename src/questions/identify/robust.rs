@@ -5,7 +5,7 @@ use crate::numerics::{normal_density, normal_tail, summed};
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
-/// Huber's loss. The number is the residual, in standard deviations, beyond which the loss is linear; infinity gives least squares.
+/// Huber's loss. The number is the magnitude of the residual, in standard deviations, beyond which the loss is linear; infinity gives least squares.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Huber(pub(super) f64);
 
@@ -57,9 +57,9 @@ impl Huber {
         u.clamp(-self.0, self.0)
     }
 
-    /// The mean derivative of Huber's psi with respect to the residuals, i.e. the fraction of residuals that are not clamped, corrected for the
-    /// number of unknowns. `all` is the number of residuals, `inside` the number of those not clamped. The fraction is taken as at least a half
-    /// (Huber and Ronchetti, Robust Statistics, 2009, 7.6).
+    /// The mean derivative of Huber's psi with respect to the residuals, corrected for the number of parameters. It is the fraction of residuals that
+    /// are not clamped, taken as at least a half. `all` is the number of residuals, `inside` the number of those not clamped, `unknowns` that of
+    /// parameters. Source: Huber and Ronchetti, Robust Statistics, 2009, 7.6.
     pub(super) fn slope(all: usize, inside: usize, unknowns: usize) -> f64 {
         let part = (inside as f64 / all as f64).max(0.5);
         part / (1.0 + unknowns as f64 / all as f64 * (1.0 - part) / part)

@@ -1,6 +1,6 @@
-//! Standard errors and confidence intervals of the unknowns, from a fit to observed slips. An unknown is a number of the grasp, such as a coefficient
-//! of friction. A slip is a load or angle at which a contact, or the object, was observed to slip. A known sum is a sum of unknowns that is known
-//! from another measurement. The slips of one group may share an error, e.g. because they were observed on the same specimen or on the same day.
+//! Standard errors and confidence intervals of the parameters, from a fit to the observations. A parameter is a number of the grasp that is sought,
+//! such as a coefficient of friction. An observation is a load or angle at which slip was observed. A known sum is a sum of parameters that is known
+//! from another measurement. The observations of one group may share an error, e.g. because they are of one specimen or of one day.
 
 use nalgebra::DMatrix;
 
@@ -14,8 +14,8 @@ use super::tolerances::INDISTINCT;
 use crate::numerics::{IntoList, all_some, mapped, numbered, two_sided};
 use crate::prelude::*;
 
-/// The answer from one fit: estimates with standard errors and intervals, combinations of unknowns that the slips do not determine, residuals and
-/// weights.
+/// The answer from one fit: estimates with standard errors and intervals, combinations of parameters that the observations do not determine,
+/// residuals and weights.
 pub(super) fn identified(model: &Model<'_>, fit: &Fitted) -> Identified {
     let grasp = &model.layouts[0];
     let names: Vec<String> = mapped(&model.asked.unknowns, &|unknown| unknown.called(grasp));
@@ -78,21 +78,22 @@ pub(super) fn identified(model: &Model<'_>, fit: &Fitted) -> Identified {
     }
 }
 
-/// The data at the solution from which the standard errors of the logarithms of the unknowns are computed.
+/// The data at the solution from which the standard errors of the logarithms of the parameters are computed.
 struct Spread {
-    /// Singular values of the matrix of derivatives of all predictions, each row weighted by the inverse of its standard deviation; the largest
-    /// first.
+    /// Singular values, the largest first, of the matrix of derivatives of all predictions, each row weighted by the inverse of its standard
+    /// deviation.
     values: Vec<f64>,
-    /// Right singular vectors of the same matrix, as columns: directions in the logarithms of the unknowns.
+    /// Right singular vectors, as columns, of the matrix of derivatives of all predictions, weighted in this way: directions in the logarithms of the
+    /// parameters.
     directions: DMatrix<f64>,
-    /// Number of independent linear combinations of the unknowns that the observed slips and the known sums determine.
+    /// Number of independent linear combinations of the parameters that observations and known sums determine.
     rank: usize,
     scatter: Scatter,
-    /// The contributions of the groups of slips to the standard errors. `None` unless every slip is in a group.
+    /// The contributions of the groups of observations to the standard errors. `None` unless every observation is in a group.
     grouped: Option<Grouped>,
 }
 
-/// The number of the group of each slip; `None` unless every slip is in a group.
+/// The number of the group of each observation; `None` unless every observation is in a group.
 fn groups(model: &Model<'_>) -> Option<Vec<usize>> {
     all_some(model.asked.slips.iter().map(|slip| slip.group))
 }
@@ -107,9 +108,9 @@ impl Spread {
         let inside = scaled.iter().filter(|u| u.abs() <= huber.0).count();
         let slope = Huber::slope(slips, inside, unknowns);
         let groups = groups(model);
-        // Huber's loss clamps large residuals, so that the slips determine the unknowns less accurately. The factor `counts` on the weight of each
-        // slip accounts for this. With groups the scatter of the clamped residuals enters later, in `Grouped`. Without groups `counts` also contains
-        // this scatter: it is divided by the root mean square that clamped residuals have if residuals are normally distributed.
+        // Huber's loss clamps large residuals, so that the observations determine the parameters less accurately. The factor `counts` on the weight
+        // of each observation accounts for this. With groups the scatter of the clamped residuals enters later, in `Grouped`. Without groups `counts`
+        // also contains this scatter: it is divided by the root mean square that clamped residuals have if residuals are normally distributed.
         let counts = if groups.is_some() { slope.sqrt() } else { slope / huber.mean_square().sqrt() };
         let weights = numbered(rows, &|k| (if k < slips { counts } else { 1.0 }) / scatter.rows[k]);
         let (values, directions, _) = singular(&linear.jacobian, &linear.residuals, &weights);
@@ -126,8 +127,8 @@ impl Spread {
         spread
     }
 
-    /// The directions, in the logarithms of the unknowns, that the slips determine: a basis, as columns. The length of a column is the standard error
-    /// along its direction if slips are independent.
+    /// The directions, in the logarithms of the parameters, that the observations determine: a basis, as columns. The length of a column is the
+    /// standard error along its direction if observations are independent.
     fn scaled_directions(&self) -> DMatrix<f64> {
         let mut directions = self.directions.columns(0, self.rank).into_owned();
         for (mut column, value) in directions.column_iter_mut().zip(&self.values) {
@@ -136,7 +137,7 @@ impl Spread {
         directions
     }
 
-    /// Directions in the logarithms of the unknowns that the slips do not determine, as orthonormal columns.
+    /// Directions in the logarithms of the parameters that the observations do not determine, as orthonormal columns.
     fn free(&self) -> DMatrix<f64> {
         self.directions.columns(self.rank, self.values.len() - self.rank).into_owned()
     }
@@ -145,8 +146,9 @@ impl Spread {
         self.free().row(unknown).iter().map(|x| x * x).sum::<f64>() <= INDISTINCT
     }
 
-    /// The standard error of the logarithm of an unknown, and the degrees of freedom of Student's interval (`None` for a normal distribution). `None`
-    /// if the slips do not determine the unknown, or if its error is not known, for example because the slips agree to all digits.
+    /// The standard error of the logarithm of a parameter, and the degrees of freedom of Student's interval (`None` for a normal distribution).
+    /// `None` if the observations do not determine the parameter, or if its error is not known, for example because the observations agree to all
+    /// digits.
     fn of_unknown(&self, unknown: usize) -> Option<(f64, Option<f64>)> {
         let degrees = self.scatter.is_estimated.then_some(self.scatter.degrees as f64);
         let is_known =

@@ -1,5 +1,6 @@
-//! An unknown number of the grasp, to be estimated from observed slips. A slip is a load or angle at which a contact, or the object, was observed to
-//! slip. A layout is one arrangement of the contact points; the squeeze is all that presses without a load.
+//! A parameter: a number of the grasp that is to be estimated from observed slip, such as a coefficient of friction. An observation is a load or
+//! angle at which slip was observed. A layout is one arrangement of the contact points. The squeeze is everything by which contacts press at rest
+//! without a load.
 
 use crate::ask::Grasp;
 use crate::error::Error;
@@ -8,7 +9,7 @@ use crate::numerics::{IntoList, any_index, chosen, mapped, numbered};
 use crate::prelude::*;
 use crate::words::listed;
 
-/// The kind of an unknown number of the grasp that is estimated from observed slips.
+/// The kind of a parameter, i.e. of a number of the grasp that is estimated from observed slip.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -24,37 +25,39 @@ pub enum UnknownKind {
     Stiffness,
 }
 
-/// An unknown number of the grasp: one value for all its contacts, in all layouts or in one layout.
+/// A parameter, i.e. an unknown number of the grasp: one value for all its contacts, in all layouts or in one layout.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[must_use]
 pub struct Unknown {
-    /// The kind of the unknown: friction, carried force, squeeze or stiffness.
+    /// The kind of the parameter: friction, carried force, squeeze or stiffness.
     #[cfg_attr(feature = "serde", serde(rename = "quantity"))]
     pub(super) kind: UnknownKind,
-    /// The contacts of the unknown, from 0, a soft fingertip counted as one. All contacts if left out, except links; for friction all that have it.
+    /// The contacts of the parameter, from 0, a soft fingertip counted as one. If left out, all contacts except links; for friction all that have
+    /// friction.
     #[cfg_attr(
         feature = "serde",
         serde(default, deserialize_with = "some_contacts", skip_serializing_if = "Option::is_none")
     )]
     #[cfg_attr(feature = "schema", schemars(with = "Vec<usize>"))]
     pub(crate) contacts: Option<Vec<usize>>,
-    /// The layout of the unknown, 0 for the scene itself; all layouts if left out.
+    /// The layout of the parameter, 0 for the scene itself; all layouts if left out.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(super) layout: Option<usize>,
-    /// The name of the unknown in answers.
+    /// The name of the parameter in answers.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(super) name: Option<String>,
     /// The value at the start of the search; the value of the scene if left out.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(super) start: Option<f64>,
-    /// The contact points of the unknown, a list for each layout; empty until [`Self::of_points`] fills it in.
+    /// For each layout, the indices of the contact points whose data contain this parameter, such as those that have this coefficient of friction.
+    /// Empty until [`Self::of_points`] fills it in.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub(super) points: Vec<Vec<usize>>,
 }
 
-/// Reads the contacts of an unknown from a file; an empty list becomes `None`, which means all contacts.
+/// Reads the contacts of a parameter from a file; an empty list becomes `None`, which means all contacts.
 #[cfg(feature = "serde")]
 fn some_contacts<'de, S: serde::Deserializer<'de>>(deserializer: S) -> Result<Option<Vec<usize>>, S::Error> {
     let contacts: Vec<usize> = serde::Deserialize::deserialize(deserializer)?;
@@ -62,7 +65,7 @@ fn some_contacts<'de, S: serde::Deserializer<'de>>(deserializer: S) -> Result<Op
 }
 
 impl Unknown {
-    /// An unknown of this kind, common to all contacts in all layouts.
+    /// A parameter of this kind, common to all contacts in all layouts.
     pub fn of(kind: UnknownKind) -> Self {
         Self { kind, contacts: None, layout: None, name: None, start: None, points: Vec::new() }
     }
@@ -72,44 +75,44 @@ impl Unknown {
         Self::of(UnknownKind::Friction)
     }
 
-    /// The normal force, N, that each contact carries before the load of a slip grows: for a support, its share of a weight. The contact presses with
-    /// this force, and an equal load presses the object onto the contact, so that the object does not move. The weight must not be given again as a
-    /// base load: a base load onto such a contact is refused.
+    /// The normal force, N, that each contact carries before the load of an observation grows: for a support, its share of a weight. The contact
+    /// presses with this force, and an equal load presses the object onto the contact, so that the object does not move. The weight must not be given
+    /// again as a base load: a base load onto such a contact is refused.
     pub fn carried() -> Self {
         Self::of(UnknownKind::Carried)
     }
 
-    /// A factor on the given squeeze. The factor multiplies commands, forces and vacuums of the unknown's contacts and links. If the unknown belongs
-    /// to all contacts, the factor also multiplies commands, constant torques and tensions of joints and tendons.
+    /// A factor on the given squeeze. The factor multiplies commands, forces and vacuums of the parameter's contacts and links. If the parameter
+    /// belongs to all contacts, the factor also multiplies commands, constant torques and tensions of joints and tendons.
     pub fn squeeze() -> Self {
         Self::of(UnknownKind::Squeeze)
     }
 
-    /// The factor on the given tangential stiffness. First slip depends on ratios of tangential stiffnesses only. Gross slip as a rule does not
-    /// depend on them, because all friction is then exhausted.
+    /// The factor on the given tangential stiffness. The load of first slip depends on ratios of tangential stiffnesses only. The load of gross slip
+    /// as a rule does not depend on them, because all friction is then exhausted.
     pub fn stiffness() -> Self {
         Self::of(UnknownKind::Stiffness)
     }
 
     setters! {
-        /// This unknown common to these contacts of the grasp, from 0, instead of all. A soft fingertip counts as one contact.
+        /// This parameter common to these contacts of the grasp, from 0, instead of all. A soft fingertip counts as one contact.
         pub fn of_contacts(mut self, contacts: impl IntoIterator<Item = usize>) {
             self.contacts = Some(contacts.into_iter().list());
         }
 
-        /// This unknown for one layout alone, given by the number of the layout, from 0.
+        /// This parameter for one layout alone, given by the number of the layout, from 0.
         pub fn in_layout(mut self, layout: usize) { self.layout = Some(layout); }
 
-        /// This unknown with a name that answers show, such as "rubber".
+        /// This parameter with a name that answers show, such as "rubber".
         pub fn named(mut self, name: impl Into<String>) { self.name = Some(name.into()); }
 
-        /// This unknown with another value at the start of the search than the value of the grasp; it must be more than zero.
+        /// This parameter with another value at the start of the search than the value of the grasp; it must be more than zero.
         pub fn starting_at(mut self, value: f64) { self.start = Some(value); }
     }
 
-    /// This unknown with the indices of contact points in place of contacts: all points of each soft fingertip. An error for contacts that the grasp
-    /// does not have. If the unknown belongs to all contacts, links (such as cables) are left out, except for a squeeze. Unknown friction then
-    /// belongs to the contacts with friction, if there are any.
+    /// This parameter with the indices of contact points in place of contacts: all points of each soft fingertip. Returns an error for contacts that
+    /// the grasp does not have. If the parameter belongs to all contacts, links (such as cables) are left out, except for a squeeze. Friction of all
+    /// contacts then belongs to the contacts with friction, if there are any.
     pub(super) fn of_points(&self, number: usize, layouts: &[Grasp<3>]) -> Result<Self, Error> {
         let mut points = self.clone();
         if let Some(contacts) = &self.contacts {
@@ -137,7 +140,7 @@ impl Unknown {
         Ok(points)
     }
 
-    /// Whether this unknown (such as a coefficient of friction) belongs to this contact point in this layout (arrangement of the contact points).
+    /// Whether this parameter (such as a coefficient of friction) belongs to this contact point in this layout (arrangement of the contact points).
     pub(super) fn is_of(&self, layout: usize, contact: usize) -> bool {
         self.points[layout].contains(&contact)
     }
@@ -146,7 +149,7 @@ impl Unknown {
         self.layout.is_none_or(|own| own == layout)
     }
 
-    /// The name of the unknown in answers: the name that the user gave, or a name such as "friction of left and right".
+    /// The name of the parameter in answers: the name that the user gave, or a name such as "friction of left and right".
     pub(super) fn called(&self, grasp: &Grasp<3>) -> String {
         if let Some(name) = &self.name {
             return crate::words::printable(name).into_owned();
@@ -166,8 +169,8 @@ impl Unknown {
         format!("{kind}{whose}{at}")
     }
 
-    /// The value of the unknown at the start of the search. It is the given start, or else the first positive value that its contacts have in the
-    /// grasp. If there is none, it is 0.5 for friction and 1 for all others; factors start at 1.
+    /// The value of the parameter at the start of the search. It is the given start, or else the first positive value that its contacts have in the
+    /// grasp. If there is none, it is 0.5 for friction and 1 N for a carried force. Factors on squeeze and stiffness start at 1.
     pub(super) fn begins_at(&self, layouts: &[Grasp<3>]) -> f64 {
         if let Some(start) = self.start {
             return start;
@@ -180,15 +183,14 @@ impl Unknown {
         };
         match self.kind {
             UnknownKind::Friction => first(Contact::friction_coefficient).unwrap_or(0.5),
-            // Without a given force the search starts at 1 N.
             UnknownKind::Carried => first(pressed).unwrap_or(1.0),
             UnknownKind::Squeeze | UnknownKind::Stiffness => 1.0,
         }
     }
 
-    /// Puts a value of the unknown into the contacts of a layout. A carried force, with which a contact presses before the load grows, becomes a
-    /// command. The equal load that balances it is added to `base`, so that the object does not move. A factor on the squeeze of all contacts is not
-    /// put in here; the caller applies it.
+    /// Puts a value of the parameter into the contacts of a layout. A carried force, with which a contact presses before the load grows, becomes a
+    /// command. The equal load that balances it is added to `base`, so that the object does not move. The caller, not this function, applies a factor
+    /// on the squeeze of all contacts.
     pub(super) fn put(&self, layout: usize, value: f64, contacts: &mut [Contact<3>], base: &mut Wrench<3>) {
         for (_, contact) in contacts.iter_mut().enumerate().filter(|(i, _)| self.is_of(layout, *i)) {
             match self.kind {

@@ -1,5 +1,5 @@
-//! The answer to [`Identify`](super::Identify) as a sentence: the unknowns and their errors. An unknown is a number of the grasp, such as a
-//! coefficient of friction.
+//! The answer to [`Identify`](super::Identify) as a sentence: the parameters and their errors. A parameter is a number of the grasp that is sought,
+//! such as a coefficient of friction. An observation is a load or angle at which slip was observed.
 
 use core::fmt;
 
@@ -84,13 +84,13 @@ impl fmt::Display for Identified {
 }
 
 impl Identified {
-    /// Whether the estimate of this unknown depends on the assignment. An assignment says on which unknowns each slip depends, because it says which
-    /// contact slips first; several assignments may fit equally well.
+    /// Whether the estimate of this parameter depends on the assignment. An assignment says which contact slips first in each observation, and thus
+    /// on which parameters its predicted load depends. Several assignments may fit equally well.
     fn depends_on_assignment(&self, unknown: usize) -> bool {
         self.assignments.iter().any(|each| !is_alike(&self.assignments[0][unknown], &each[unknown]))
     }
 
-    /// The clause about the unknowns `open`, on which equally good assignments disagree: "one of the two is 0.423 ± 0.004, which one is not fixed:
+    /// The clause about the parameters `open`, on which equally good assignments disagree: "one of the two is 0.423 ± 0.004, which one is not fixed:
     /// friction of left or friction of right". If the estimated values differ, each alternative is named with its value.
     fn alternatives_text(&self, open: &[usize], words: Words) -> String {
         let names: Vec<_> = mapped(open, &|j| self.estimates[*j].name.clone());
