@@ -1,7 +1,7 @@
-//! The answer of the search for better finger places. A place is the position of a contact on its curve or surface, a squeeze the normal force of its
-//! command. A design point is one choice of all places and squeezes. The goal is the value that the search maximises: the load factor of first slip,
-//! or the reserve, the least margin of a contact force to the edge of its friction cone, N. The base load acts before the loads of the question grow;
-//! at rest means under the base load.
+//! The answer of the search for better finger placement. A place is the position of a contact on its curve or surface. The commanded normal force of
+//! a contact is that which its command causes with the object held in place. A design point is one choice of all places and commanded normal forces.
+//! The goal is the value that the search maximises: the load factor of first slip, or the reserve. The reserve is the least margin of a contact force
+//! to the boundary of its friction cone, N. The base load acts before the loads of the question grow; at rest means under the base load.
 
 use nalgebra::SVector;
 
@@ -12,7 +12,7 @@ use crate::prelude::*;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 
-/// The best places and squeezes of the fingers that the search found; its [`Display`](std::fmt::Display) states them in a sentence.
+/// The best places and commanded normal forces that the search found; its [`Display`](std::fmt::Display) states them in a sentence.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -22,38 +22,37 @@ pub struct Improved<const C: usize> {
     #[cfg_attr(feature = "serde", serde(default))]
     pub goal: ImproveGoal,
     /// Value of the goal for the given grasp, the least over all loads. It is the load factor of first slip, or the reserve, N (the margin of a
-    /// contact force to the edge of its friction cone). `None` if a contact slides under the base load, no equilibrium under the base load is found,
-    /// or, for a reserve, a contact slides under a load. Zero if nothing slides under the base load, but a contact touches without force: it slides
-    /// under any load, however small.
+    /// contact force to the boundary of its friction cone). `None` if a contact slides under the base load, no equilibrium under the base load is
+    /// found, or, for a reserve, a contact slides under a load. Zero if nothing slides under the base load, but a contact touches without force: it
+    /// slides under any load, however small.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<Option<f64>>"))]
     pub before: Option<f64>,
     /// Value of the goal for the best grasp found. `None` if no grasp was found that sticks under the base load and, for a reserve, under the loads.
     /// Infinite if no contact slides however large the loads are.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<Option<f64>>"))]
     pub after: Option<f64>,
-    /// The reason why the answer for the best grasp cannot be trusted at rest, under a load of the question or at the first slip: a motion that is
-    /// not small, or
-    /// [buckling](TooFar::Buckles). `None`, and omitted, without one.
+    /// The reason why the answer for the best grasp cannot be trusted at rest, under a load of the question or at first slip. It is a motion that is
+    /// not small, or [buckling](TooFar::Buckles). If there is no such reason, it is `None` and omitted.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub too_far: Option<TooFar>,
     /// Contacts that use all their friction at rest. With a little less friction, or with places rounded to fewer digits, such a contact may slide
     /// before any load acts.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub at_their_limit: Vec<WholeContact>,
-    /// The size of the load, N, if it is a single force. The load factor of first slip times this size is the force at first slip.
+    /// The magnitude of the load, N, if it is a single force. The load factor of first slip times this magnitude is the force at first slip.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub force: Option<f64>,
     /// Place and command (displacement commanded to the contact spring) of every contact in the best grasp found; empty if no grasp was found.
     pub contacts: Vec<Placed<C>>,
-    /// The active sticking conditions, and active limits of forces, commands and places, that prevent a larger value, each with its multiplier; empty
-    /// if no multipliers were found.
+    /// The active sticking conditions and the active limits of forces, commands and places that prevent a larger value, each with its multiplier.
+    /// Empty if no multipliers were found.
     pub in_the_way: Vec<ActiveConstraint>,
     /// How the search for the best grasp found ended.
     pub search: SearchEnd,
     /// The larger of two residuals of first-order optimality. One is the largest component of the sum of the gradients of sticking conditions and
     /// limits, weighted by their multipliers. The other is the residual of complementarity between multipliers and the slack of their conditions and
     /// limits. The residual is relative to the load factor of first slip, or for a reserve to the greatest force under the base load. Places are in
-    /// units of the grasp's size, squeezes in units of the greatest allowed force. `None` if no multipliers were found.
+    /// units of the grasp's size, a length, and commanded normal forces in units of the greatest allowed force. `None` if no multipliers were found.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<Option<f64>>"))]
     pub residual: Option<f64>,
     /// Number of starting grasps (the given grasp and random grasps) in which all contacts stick under the base load.
@@ -88,8 +87,8 @@ pub struct Placed<const C: usize> {
     /// Straight distance from the point of this contact in the given grasp, m.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub moved: f64,
-    /// Normal force that the command would cause with the object held in place, N: the value for
-    /// [`Contact::pressed_with`](crate::grasp::Contact::pressed_with). `None` unless the search may change the command; a contact that the search
+    /// Normal force that the command causes if the object is held in place, N: the value for
+    /// [`Contact::pressed_with`](crate::grasp::Contact::pressed_with). `None` unless the search may change the command. A contact that the search
     /// leaves without force keeps its command.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub pressed_with: Option<f64>,
@@ -98,8 +97,8 @@ pub struct Placed<const C: usize> {
     pub normal_force: f64,
 }
 
-/// One active sticking condition of a contact, or one active limit of its force, command or place. It prevents a later first slip, or a larger
-/// reserve (least margin of a contact force to the edge of its friction cone).
+/// One active sticking condition of a contact, or one active limit of its force, command or place. It prevents a larger load factor of first slip, or
+/// a larger reserve (least margin of a contact force to the boundary of its friction cone).
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -132,7 +131,7 @@ pub enum ActiveConstraintKind {
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         share: f64,
     },
-    /// The contact has the least reserve (margin of its force to the edge of its friction cone) under the load with this index.
+    /// The contact has the least reserve (margin of its force to the boundary of its friction cone) under the load with this index.
     Reserve {
         /// Index of the load under which the reserve is least, from 0; `None` for a force of any direction.
         #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
@@ -153,10 +152,9 @@ pub enum ActiveConstraintKind {
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         per_newton: f64,
     },
-    /// The command of the contact would cause no force ([`Placed::pressed_with`] is zero), or the contact touches without force: it does not press at
-    /// all.
+    /// The command of the contact causes no force ([`Placed::pressed_with`] is zero), or the contact touches without force: it does not press at all.
     NotPressed {
-        /// Gain of the goal for each newton with which the command could pull instead of pressing.
+        /// Gain of the goal for each newton with which the command pulls instead of pressing.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         per_newton: f64,
     },
@@ -166,7 +164,7 @@ pub enum ActiveConstraintKind {
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
         per_metre: f64,
     },
-    /// Under the base load the contact is at the edge of its friction cone.
+    /// Under the base load the contact force is at the boundary of its friction cone.
     Rest {
         /// Gain of the goal for each newton added to the margin of sticking under the base load.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
@@ -199,7 +197,7 @@ pub enum SearchEnd {
 }
 
 impl<const C: usize> Improved<C> {
-    /// Whether multipliers prove that, to first order, no place and squeeze nearby is better.
+    /// Whether multipliers prove that, to first order, no nearby choice of places and commanded normal forces is better.
     #[must_use]
     pub fn is_locally_best(&self) -> bool {
         self.search == SearchEnd::Optimum

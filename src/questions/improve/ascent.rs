@@ -1,8 +1,8 @@
-//! Ascent from one starting grasp to a local optimum of places and squeezes. A place is the position of a contact on its curve or surface, a squeeze
-//! the normal force of its command. A design point is one choice of all places and squeezes. An idle contact is open or touches without force at
-//! rest, and stays so until a load pushes it. The goal is the value that the search maximises: the load factor of first slip, or the reserve. The
-//! reserve is the least margin of a contact force to the edge of its friction cone, N. The base load acts before the loads of the question grow.
-//! Multipliers are those of the conditions and limits that are active at an optimum.
+//! Ascent from one starting grasp to a local optimum of places and commanded normal forces. A place is the position of a contact on its curve or
+//! surface. The commanded normal force of a contact is that which its command causes with the object held in place. A design point is one choice of
+//! all of these. The goal is the value that the search maximises: the load factor of first slip, or the reserve. The reserve is the least margin of a
+//! contact force to the boundary of its friction cone, N. The base load acts before the loads of the question grow. An idle contact is open or
+//! touches without force under the base load, and stays so until a load pushes it.
 
 use nalgebra::DVector;
 
@@ -24,14 +24,15 @@ use crate::numerics::{all_some, least, mapped, numbered};
 use crate::prelude::*;
 
 /// A [`DesignPoint`] with which all contacts stick under the base load and the commands, except idle ones, which touch without force. Its contact
-/// forces are stored separately for the base load with fixed commands, the squeeze, and each load.
+/// forces are stored apart for the base load with fixed commands, the variable commands, and each load.
 #[derive(Debug)]
 pub(super) struct EvaluatedDesign {
     pub(super) design_point: DesignPoint,
     /// The contact forces, computed once or several times. In the first part all idle contacts (touching without force) are open. A load that closes
     /// some idle contacts needs a further part, in which these are closed.
     pub(super) parts: Vec<StickingForces>,
-    /// Value of the goal: the least load factor of first slip, or the least reserve (margin of a contact force to the edge of its friction cone), N.
+    /// Value of the goal: the least load factor of first slip, or the least reserve (margin of a contact force to the boundary of its friction cone),
+    /// N.
     pub(super) value: f64,
     /// The scale by which gains of the value are divided. If the goal is first slip, it is the value itself; for a reserve it is the greatest contact
     /// force under the base load, N.
@@ -48,7 +49,8 @@ pub(super) struct Ascent {
     pub(super) last: Option<LastStep>,
 }
 
-/// A step, with the sticking conditions under loads (`events`) and the limits (`bounds`) for which it has multipliers.
+/// A step of the search. The sticking conditions under loads (`events`) and the limits (`bounds`) were constraints of its quadratic program, which
+/// has a multiplier for each.
 pub(super) struct LastStep {
     pub(super) step: TrialStep,
     pub(super) events: Vec<SlipEvent>,
@@ -58,7 +60,7 @@ pub(super) struct LastStep {
     pub(super) rooms: Vec<usize>,
 }
 
-/// The data that all ascents of a search share: the variables (places and squeezes), the loads and the given grasp.
+/// The data that all ascents of a search share: the variables (places and commanded normal forces), the loads and the given grasp.
 pub(super) struct AscentProblem<'q> {
     pub(super) design_space: &'q DesignSpace<'q>,
     pub(super) loaded: &'q LoadSet,
@@ -66,7 +68,7 @@ pub(super) struct AscentProblem<'q> {
 }
 
 impl AscentProblem<'_> {
-    /// For each contact the greatest allowed normal force, N; `None` if its squeeze may not change.
+    /// For each contact the greatest allowed normal force, N; `None` if its command may not change.
     fn greatest_presses(&self) -> Vec<Option<f64>> {
         let mut most = vec![None; self.design_space.contacts.len()];
         for variable in &self.design_space.variables {
@@ -77,9 +79,9 @@ impl AscentProblem<'_> {
         most
     }
 
-    /// The [`EvaluatedDesign`] of a design point. If a contact's normal force under the base load exceeds its limit, all variable squeezes are
-    /// reduced by a common factor. `None` if a force exceeds its limit even without these squeezes, or some contact does not stick under the base
-    /// load.
+    /// The [`EvaluatedDesign`] of a design point. If a contact's normal force under the base load exceeds its limit, all variable normal forces of
+    /// commands are reduced by a common factor. `None` if a force exceeds its limit even without these commands, or some contact does not stick under
+    /// the base load.
     pub(super) fn evaluate(&self, mut design_point: DesignPoint) -> Result<Option<EvaluatedDesign>, Error> {
         let most = self.greatest_presses();
         let Some(mut sticking) = self.forces(&design_point, &design_point.idle)? else { return Ok(None) };
@@ -154,8 +156,8 @@ impl AscentProblem<'_> {
         }
         let (value, scale) = match self.loaded.goal {
             ImproveGoal::FirstSlip => {
-                // A contact without force under the base load breaks its sticking conditions at load factor 0, which says nothing about the first
-                // slip. Such a design is refused, unless the contact is idle.
+                // A contact without force under the base load breaks its sticking conditions at load factor 0. Its load factor says nothing about the
+                // load that the grasp can bear, so such a design is refused, unless the contact is idle.
                 let is_weightless = |event: &SlipEvent| {
                     let force = parts[0].at_rest(event.condition.contact);
                     event.value <= NEGLIGIBLE * first && ActiveSet::is_weightless(&force, size)
@@ -175,8 +177,8 @@ impl AscentProblem<'_> {
         Ok(Some(EvaluatedDesign { design_point, parts, value, scale }))
     }
 
-    /// The contact forces in one or several parts, each with other idle contacts closed (see [`EvaluatedDesign::parts`]). For each load, an idle
-    /// contact is closed if the load presses it by more than `rounded`, N, at the load factor `first`. `None` if nothing resists a load.
+    /// The contact forces in one or several sets. The first set leaves all idle contacts open. A load closes an idle contact if it presses it by more
+    /// than `rounded`, N, at the load factor `first`; such a load needs a further set with these contacts closed. `None` if nothing resists a load.
     fn parts(
         &self,
         design_point: &DesignPoint,
@@ -250,7 +252,7 @@ impl AscentProblem<'_> {
     pub(super) fn ascend(&self, mut design: EvaluatedDesign, mut steps: usize) -> Result<Ascent, Error> {
         let n = self.design_space.variables.len();
         // Half widths of the trust region (a box), relative to the unit of each variable: the grasp's size for places, the greatest force for
-        // squeezes.
+        // commanded normal forces.
         let [first_radius, largest_radius, least_radius] = [0.1, 1.0, 1e-11];
         let (mut radius, mut curvature) = (first_radius, Curvature::flat(n));
         let ended = |design, search, steps, last| Ok(Ascent { design, search, steps, last });
@@ -288,8 +290,8 @@ impl AscentProblem<'_> {
                         (curvature, radius) = (Curvature::flat(n), first_radius.min(radius * 1e3));
                         continue;
                     }
-                    // With several `parts`, a load closes an idle contact. The friction force of this contact is computed as if the contact had
-                    // stuck from the start, although it moves freely until it closes. So the multipliers prove no optimum.
+                    // With several `parts`, a load closes an idle contact. Its friction force is computed as if it had stuck from the start, although
+                    // it moves freely until it closes. So the multipliers prove no optimum.
                     if arrived && design.parts.len() > 1 {
                         return ended(design, SearchEnd::Stalled, steps, None);
                     }
@@ -367,8 +369,8 @@ impl AscentProblem<'_> {
 }
 
 /// The gradient of the Lagrangian before the last step minus the gradient after this step. Both are with respect to the variables (places and
-/// squeezes), with the multipliers of the last step. The Lagrangian includes sticking conditions under loads and limits of normal forces, but not
-/// sticking under the base load.
+/// commanded normal forces), with the multipliers of the last step. The Lagrangian includes sticking conditions under loads and limits of normal
+/// forces, but not sticking under the base load.
 fn gradient_decrease(
     old: &LastStep,
     (events, bounds): (&[SlipEvent], &[Constraint]),
@@ -378,7 +380,7 @@ fn gradient_decrease(
     let step = &old.step;
     let mut decrease = DVector::zeros(step.d.len());
     for (event, share) in old.events.iter().zip(&step.events).filter(|(_, share)| **share > 0.0) {
-        // Several events may have the same sticking condition. The event whose value is nearest is taken as the same event after the step.
+        // Several entries of `events` may have the same sticking condition. The one whose value is nearest is taken as the same entry after the step.
         let same = events.iter().filter(|other| other.condition == event.condition);
         let apart = |other: &&SlipEvent| (other.value - event.value).abs();
         if let Some(same) = same.min_by(|a, b| apart(a).total_cmp(&apart(b))) {

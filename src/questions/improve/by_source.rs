@@ -1,8 +1,8 @@
-//! Contact forces while every contact sticks, and their exact derivatives with respect to places and squeezes. Forces are kept apart by their source,
-//! the cause of the force: the base load with fixed commands, the variable squeeze, or a load. A place is the position of a contact on its curve or
-//! surface, a squeeze the normal force of its command. A design point is one choice of all places and squeezes. A command is the displacement that a
-//! finger would make without the object; the base load acts before the loads of the question grow. A contact is left open if it touches without force
-//! and no load of the computation closes it.
+//! Contact forces while every contact sticks, and their exact derivatives with respect to the variables of the search for better finger placement.
+//! Forces are kept apart by their source, the cause of the force: the base load with fixed commands, the variable commands, or a load. A command is
+//! the displacement that a finger would make if there were no object. The variables are the places of contacts (positions on their curves or
+//! surfaces) and their commanded normal forces (with the object held in place); a design point is one choice of all of them. The base load acts
+//! before the loads of the question grow. A contact is left open if it touches without force and no load of the computation closes it.
 
 use nalgebra::SVector;
 
@@ -16,19 +16,20 @@ use crate::numerics::{Vector, all_some, indexed, numbered, unit};
 use crate::object::ForcesAndTwist;
 use crate::prelude::*;
 
-/// For each source (base load with fixed commands, squeeze, each load), the forces of all contacts in their frames, N, or derivatives of these
-/// forces. A contact that is left open carries no force; its first component is then the closing force, see [`StickingForces::by`].
+/// For each source (base load with fixed commands, variable commands, each load), the forces of all contacts in their frames, N, or derivatives of
+/// these forces. A contact that is left open carries no force. Its first component is then the closing force, N: the normal force that its springs
+/// would exert if they followed the motion of the object as if the contact were closed.
 pub(super) type BySource = Vec<Vec<SVector<f64, 3>>>;
 
-/// Index in [`BySource`] of the forces that do not vary with the squeeze or the loads: they are due to the base load and to fixed commands.
+/// Index in [`BySource`] of the forces that do not vary with the variable commands or the loads: they are due to the base load and to fixed commands.
 pub(super) const REST: usize = 0;
-/// Index in [`BySource`] of the forces due to the squeeze, the normal commands that the search varies.
+/// Index in [`BySource`] of the forces due to the normal commands that the search varies.
 pub(super) const SQUEEZE: usize = 1;
 /// Index in [`BySource`] of the forces due to the first load; the forces due to further loads follow.
 pub(super) const LOADS: usize = 2;
 
-/// The contact forces of a grasp, computed as if every contact stuck, separately for each source: base load with fixed commands, squeeze, and each
-/// load. Contacts that touch without force may be left open.
+/// The contact forces of a grasp, computed as if every contact stuck, apart for each source: base load with fixed commands, variable commands, and
+/// each load. Contacts that touch without force may be left open.
 #[derive(Debug)]
 pub(super) struct StickingForces {
     pub(super) grasp: Grasp<3>,
@@ -38,8 +39,8 @@ pub(super) struct StickingForces {
     /// are in another [`StickingForces`], in which these contacts are closed.
     pub(super) judged: Vec<usize>,
     sources: Vec<ForcesAndTwist>,
-    /// For each source and contact the closing force, N, by which the source would press an open contact (see [`Self::by`]). Zero unless the contact
-    /// is left open.
+    /// For each source and contact the closing force, N, of an open contact: the normal force that its springs would exert under this source if it
+    /// were closed. Zero unless the contact is left open.
     closing: Vec<Vec<f64>>,
 }
 
@@ -62,8 +63,8 @@ fn response<'g>(grasp: &'g Grasp<3>, open: &[bool]) -> StickingResponse<'g> {
 }
 
 impl StickingForces {
-    /// The contact forces of a design point (places and squeezes of the contacts). They are computed separately for the base load with fixed
-    /// commands, the squeeze, and each of `loads`. Contacts in `open` are left open. `None` if nothing resists one of these loads.
+    /// The contact forces of a design point (places and commanded normal forces of the contacts). They are computed apart for the base load with
+    /// fixed commands, the variable commands, and each of `loads`. Contacts in `open` are left open. `None` if nothing resists one of these loads.
     pub(super) fn of(
         design_space: &DesignSpace<'_>,
         design_point: &DesignPoint,
@@ -100,10 +101,10 @@ impl StickingForces {
         response(&self.grasp, &self.open)
     }
 
-    /// The force on a contact due to one source alone (base load with fixed commands, squeeze, or one load), in the contact frame, N.
+    /// The force on a contact due to one source alone (base load with fixed commands, variable commands, or one load), in the contact frame, N.
     ///
-    /// For a contact that is left open it is the closing force, by which the source alone would press the contact. It is the normal stretch that the
-    /// contact's spring would have if the contact were closed, times its stiffness. The sum over all sources is negative if the contact has a gap.
+    /// For a contact that is left open it is the closing force: the normal stretch that the contact's springs would have under this source if the
+    /// contact were closed, times their stiffness. If the sum over all sources is negative, the contact has a gap.
     pub(super) fn by(&self, source: usize, contact: usize) -> SVector<f64, 3> {
         if self.open[contact] {
             return unit::<3>(0) * self.closing[source][contact];
@@ -111,8 +112,8 @@ impl StickingForces {
         self.sources[source].forces[contact]
     }
 
-    /// The force on a contact under the base load, in the contact frame, N. It is due to this load, to fixed commands, and to the variable squeeze.
-    /// Zero for a contact that is left open.
+    /// The force on a contact under the base load, in the contact frame, N. It is due to this load, to fixed commands, and to variable commands. Zero
+    /// for a contact that is left open.
     pub(super) fn at_rest(&self, contact: usize) -> SVector<f64, 3> {
         if self.open[contact] {
             return SVector::zeros();
@@ -125,7 +126,8 @@ impl StickingForces {
         self.open.get(contact) == Some(&true)
     }
 
-    /// The force by which the base load and the commands would press a contact that is left open (see [`Self::by`]), N; negative if it has a gap.
+    /// The normal force that the springs of an open contact would exert under the base load and all commands if it were closed, N. If it is negative,
+    /// the contact has a gap.
     pub(super) fn closing_at_rest(&self, contact: usize) -> f64 {
         self.closing[REST][contact] + self.closing[SQUEEZE][contact]
     }
@@ -135,8 +137,8 @@ impl StickingForces {
         self.sources.len() - LOADS
     }
 
-    /// For each variable (place or squeeze), in order, the changes of all contact forces per unit of this variable. `None` if a contact at another
-    /// place would leave a load without any resistance.
+    /// For each variable (place or commanded normal force), in order, the changes of all contact forces per unit of this variable. `None` if a
+    /// contact at another place would leave a load without any resistance.
     pub(super) fn derivatives(
         &self,
         design_space: &DesignSpace<'_>,

@@ -1,6 +1,6 @@
-//! The curvature of the search for finger places: the Hessian of minus the Lagrangian. The Lagrangian is the sum of event values and constraints,
-//! weighted by their multipliers, as a function of the places and squeezes of contacts. An event is a sticking condition under a load. Its value is
-//! the load factor that breaks it, or the margin of the contact force to the edge of its cone, N.
+//! The curvature of the search for better finger placement: the Hessian of minus the Lagrangian. The Lagrangian is the sum of constraints and of the
+//! values of sticking conditions under loads, weighted by their multipliers, as a function of places and commanded normal forces of contacts. The
+//! value of a sticking condition is the load factor that breaks it, or the margin of the contact force to the boundary of its friction cone, N.
 //!
 //! The Hessian is learnt from the steps of an ascent by the method of Broyden, Fletcher, Goldfarb and Shanno. Powell's damping keeps this matrix
 //! positive semidefinite (Nocedal and Wright, Numerical Optimization, 2006, section 18.3).

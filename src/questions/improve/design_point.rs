@@ -1,7 +1,7 @@
-//! The variables of the search for better finger places (question [`Improve`]), their values, and the grasp with these values. The variables are
-//! places (positions of contacts on their curves or surfaces) and squeezes (normal forces of commands); a [`DesignPoint`] is one choice of all of
-//! them. A command is the displacement that a finger would make without the object; at rest means before the loads of the question grow. A surface
-//! consists of triangles, a curve of segments.
+//! The variables of the search for better finger placement (question [`Improve`]), their values, and the grasp with these values. The variables are
+//! places (positions of contacts on their curves or surfaces) and commanded normal forces. The latter are those that commands cause with the object
+//! held in place; a command is the displacement that a finger would make if there were no object. A [`DesignPoint`] is one choice of all variables.
+//! At rest means before the loads of the question grow. A surface consists of triangles, a curve of segments.
 
 use nalgebra::SVector;
 
@@ -16,12 +16,12 @@ use crate::grasp::{Contact, Hold, Space, WholeContacts};
 use crate::numerics::{Draw, IntoList, largest, numbered};
 use crate::prelude::*;
 
-/// One variable of the search: the place of a contact along one direction, or the squeeze (normal force due to the command) of a contact.
+/// One variable of the search: the place of a contact along one direction, or its commanded normal force.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct DesignVariable {
     pub(super) contact: usize,
     pub(super) what: DesignKind,
-    /// The unit of the variable, m or N. The search divides each variable by its unit, so that all steps have numbers of similar size.
+    /// The unit of the variable, m or N. The search divides each variable by its unit, so that steps of all variables have similar magnitude.
     pub(super) unit: f64,
 }
 
@@ -46,13 +46,13 @@ pub(super) struct DesignSpace<'q> {
     pub(super) variables: Vec<DesignVariable>,
 }
 
-/// Values of all variables: the place of each contact that may move, and the squeeze of each contact whose squeeze may change.
+/// Values of all variables: the place of each contact that may move, and the normal force of each command that may change.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct DesignPoint {
     pub(super) spots: Vec<Option<SurfaceLocation>>,
     /// For each contact the first tangent of its frame, a unit vector.
     pub(super) tangents: Vec<SVector<f64, 3>>,
-    /// For each contact the normal force that its command causes with the object held in place, N; `None` if the squeeze may not change.
+    /// For each contact the normal force that its command causes with the object held in place, N; `None` if the command may not change.
     pub(super) presses: Vec<Option<f64>>,
     /// For each contact whether it is idle: at rest it is open or touches without force, and it stays so until a load pushes it. Its command keeps
     /// its value.
@@ -72,8 +72,8 @@ impl DesignPoint {
 }
 
 impl<'q> DesignSpace<'q> {
-    /// The variables of a question, and their values in the given grasp. An error for a contact that does not lie on its surface, or whose normal
-    /// differs from the normal of the surface.
+    /// The variables of a question, and their values in the given grasp. Returns an error for a contact that does not lie on its surface, or whose
+    /// normal differs from the normal of the surface.
     pub(super) fn of(grasp: &'q Grasp<3>, question: &'q Improve<3>) -> Result<(Self, DesignPoint), Error> {
         let contacts = grasp.contacts();
         let tangents: Vec<SVector<f64, 3>> = grasp.frames().map(|frame| frame.column(1).into_owned()).list();
@@ -117,7 +117,7 @@ impl<'q> DesignSpace<'q> {
         Ok((design_space, DesignPoint { spots, tangents, presses, idle }))
     }
 
-    /// A design point with random places on all surfaces and the greatest allowed squeezes.
+    /// A design point with random places on all surfaces and the greatest allowed commanded normal forces.
     pub(super) fn random(&self, from: &DesignPoint, draw: &mut Draw) -> DesignPoint {
         let mut design_point = from.clone();
         for (contact, surface) in &self.question.surfaces {
@@ -147,7 +147,7 @@ impl<'q> DesignSpace<'q> {
     }
 
     /// The design point after a step; each entry of `step` is the change of a variable divided by its unit. Each contact stays on its segment or
-    /// triangle of the surface, and each squeeze within its limits.
+    /// triangle of the surface, and each commanded normal force within its limits.
     pub(super) fn stepped(&self, from: &DesignPoint, step: &[f64]) -> DesignPoint {
         let mut design_point = from.clone();
         for (contact, surface) in &self.question.surfaces {
@@ -173,7 +173,7 @@ impl<'q> DesignSpace<'q> {
     }
 
     /// The first tangent of the contact frame at the place `location`. It is the tangent `from`, projected on the tangent plane of the new place, so
-    /// that the frame does not turn about the normal. `from` itself for a contact without a surface.
+    /// that the frame does not turn about the normal. For a contact without a surface it is `from` itself.
     fn tangent(
         &self,
         contact: usize,
@@ -194,7 +194,7 @@ impl<'q> DesignSpace<'q> {
         (axis - normal * normal.dot(&axis)).normalize()
     }
 
-    /// The unit of forces, N: the largest of the greatest allowed squeezes, 1 N if no squeeze may change.
+    /// The unit of forces, N: the largest of the greatest allowed normal forces of commands, or 1 N if no command may change.
     pub(super) fn unit_of_force(&self) -> f64 {
         let press = |variable: &DesignVariable| {
             if let DesignKind::Press { most } = variable.what { most } else { 0.0 }
@@ -203,7 +203,7 @@ impl<'q> DesignSpace<'q> {
         if most > 0.0 { most } else { 1.0 }
     }
 
-    /// The contacts of the given grasp with the places and squeezes of this design point.
+    /// The contacts of the given grasp with the places and commanded normal forces of this design point.
     pub(super) fn contacts(&self, design_point: &DesignPoint) -> Vec<Contact<3>> {
         numbered(self.contacts.len(), &|i| {
             let mut contact = self.contacts[i].clone();

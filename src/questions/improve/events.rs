@@ -1,8 +1,9 @@
-//! The value of each sticking condition of each contact under each load, and its derivatives with respect to places and squeezes. For the goal of
-//! first slip the value is the load factor that breaks the condition, for a reserve it is the margin. A place is the position of a contact on its
-//! curve or surface, a squeeze the normal force of its command. A design point is one choice of all places and squeezes. The goal is the value that
-//! the search maximises. The base load acts before the loads of the question grow; at rest means under it. An idle contact is open or touches without
-//! force at rest, and stays so until a load pushes it.
+//! The value of each sticking condition of each contact under each load, and its derivatives with respect to the variables of the search. A sticking
+//! condition is `a·F >= 0` for the contact force F and the coefficients a of one facet of its friction cone. If the goal is a late first slip, its
+//! value is the load factor that breaks it; if the goal is a reserve, the value is the margin `a·F` under the load. Sticking conditions under loads
+//! are events in the code. The variables are places of contacts (positions on their curves or surfaces) and commanded normal forces; a design point
+//! is one choice of all of them. The base load acts before the loads of the question grow. An idle contact is open or touches without force under the
+//! base load, and stays so until a load pushes it.
 
 use core::f64::consts::TAU;
 
@@ -106,8 +107,8 @@ impl PressedContact<'_> {
         all
     }
 
-    /// The constraint on an idle contact under the base load: it is not pressed. `closing` is the force, N, with which the base load and the commands
-    /// would press it; negative if it has a gap.
+    /// The constraint on an idle contact under the base load: it is not pressed. `closing` is the normal force, N, that its springs would exert under
+    /// the base load and the commands if it were closed. If it has a gap, `closing` is negative.
     fn keeps_off(&self, closing: f64) -> Constraint {
         let gradient = self.by_variable(&|d| -self.change(d)[0]);
         Constraint { contact: self.number, kind: ConstraintKind::Idle, left: -closing, gradient }
@@ -148,7 +149,7 @@ impl PressedContact<'_> {
         self.events(Some(load), rows, &|row| row.dot(&rate), &|row, d| row.dot(&d[LOADS + load][self.number]))
     }
 
-    /// The [`SlipEvent`]s of this contact under a force of given size and any direction. `influence` has one entry for each coordinate axis: the
+    /// The [`SlipEvent`]s of this contact under a force of given magnitude and any direction. `influence` has one entry for each coordinate axis: the
     /// change of the contact force if this force acts along the axis.
     fn under_any_force(&self, influence: &[SVector<f64, 3>]) -> Vec<SlipEvent> {
         let gradient = |row: &SVector<f64, 3>, by: &dyn Fn(usize) -> SVector<f64, 3>| {
@@ -170,9 +171,9 @@ impl PressedContact<'_> {
 }
 
 /// All [`SlipEvent`]s (sticking conditions under loads) and all constraints under the base load of a design point. `most` has the greatest allowed
-/// normal force of each contact whose squeeze may change. `parts` are the sets of contact forces of an
+/// normal force of each contact whose command may change. `parts` are the sets of contact forces of an
 /// [`EvaluatedDesign`](super::ascent::EvaluatedDesign). In the first set all idle contacts are open. In each further set the idle contacts that some
-/// load closes are closed. `derivatives` has the derivatives of each set with respect to the design variables.
+/// load closes are closed. `derivatives` has the derivatives of each set with respect to the variables.
 pub(super) fn events(
     loaded: &LoadSet,
     most: &[Option<f64>],
@@ -192,8 +193,8 @@ pub(super) fn events(
             } else if part == 0 {
                 constraints.extend(pressed.constraints(most[number]));
             }
-            // An idle contact has no force at rest, so its force under a load is in proportion to the load. If it sticks under a small load, it
-            // sticks under every multiple of it.
+            // An idle contact has no force under the base load, so its force under a load is in proportion to the load. If it sticks under a small
+            // load, it sticks under every multiple of it.
             let never_leaves = is_idle && loaded.goal == ImproveGoal::FirstSlip;
             if sticking.is_open(number) || never_leaves {
                 continue;

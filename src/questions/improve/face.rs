@@ -1,5 +1,5 @@
-//! Converts the types about finger placement between the forms of engine and caller. Vectors of the engine have three components even in the plane,
-//! vectors of the caller have `C` components: 2 in the plane, 3 in space.
+//! Conversions of the types of finger placement between the engine and the caller. Vectors of the engine have three components even in the plane.
+//! Vectors of the caller have `C` components: 2 in the plane, 3 in space.
 
 use super::answer::{ActiveConstraint, Improved, Placed, SearchEnd};
 use super::goal::ImproveGoal;

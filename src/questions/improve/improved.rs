@@ -1,6 +1,7 @@
-//! The search for better finger places: ascents from the given grasp and from the best of many random choices of places and squeezes, and the answer
-//! with the best grasp found. A place is the position of a contact on its curve or surface, a squeeze the normal force of its command. A design point
-//! is one choice of all places and squeezes. The engine of the crate computes with vectors of three components, also in the plane.
+//! The search for better finger placement: ascents from the given grasp and from the best of many random grasps, and the answer with the best grasp
+//! found. A place is the position of a contact on its curve or surface. The commanded normal force of a contact is that which its command causes with
+//! the object held in place. A design point is one choice of all places and commanded normal forces. At rest means under the base load, which acts
+//! before the loads of the question grow.
 
 use super::answer::{ActiveConstraint, ActiveConstraintKind, Improved, Placed, SearchEnd};
 use super::ascent::{Ascent, AscentProblem, EvaluatedDesign, LastStep};
@@ -20,8 +21,8 @@ use crate::prelude::*;
 use crate::squeeze::Loads;
 
 impl<const C: usize> Grasp<C> {
-    /// Finds places and squeezes (normal forces of the commands) of the fingers of this grasp for which the first slip comes as late as possible.
-    /// Another goal is the largest reserve under the loads: the least margin of a contact force to the edge of its friction cone.
+    /// Finds places and commanded normal forces of the fingers of this grasp with the largest load factor of first slip. Another goal is the largest
+    /// reserve under the loads: the least margin of a contact force to the boundary of its friction cone.
     ///
     /// Friction cones are round in space. The result is the same to the last bit for any number of threads.
     ///
@@ -57,7 +58,7 @@ impl<const C: usize> Grasp<C> {
 }
 
 impl Improve<3> {
-    /// Searches for better finger places in the engine's representation, whose vectors have three components in the plane, too.
+    /// Searches for better finger placement in the engine's form, whose vectors have three components in the plane, too.
     fn answered_by(&self, grasp: &Grasp<3>) -> Result<Improved<3>, Error> {
         self.check(grasp)?;
         let mut settings = *grasp.settings();
@@ -67,8 +68,8 @@ impl Improve<3> {
         let loaded = LoadSet::of(grasp.engine.space().axes(), self, &loads);
         let (design_space, as_given) = DesignSpace::of(&grasp, self)?;
         let ascent_problem = AscentProblem { design_space: &design_space, loaded: &loaded, grasp: &grasp };
-        // Some contacts of the given grasp may touch without force. Either choice may give the better grasp: some starts leave these contacts idle
-        // (open until a load pushes them), others let them press.
+        // Some contacts of the given grasp may touch without force. Some starts leave these contacts idle (open until a load pushes them), others let
+        // them press. Either may give the better grasp.
         let idle = ascent_problem.idle(&as_given)?;
         let given = as_given.with_idle(&idle);
         let before = ascent_problem.before(&given)?;
@@ -81,7 +82,7 @@ impl Improve<3> {
             let from = if *number < count { &given } else { &as_given };
             // The last number of the seed, 48, keeps these random numbers apart from random numbers drawn elsewhere with the same `seed`.
             let drawn = design_space.random(from, &mut Draw::new([self.seed.unwrap_or(0), *number, 48]));
-            // Only the value and the design point are kept: the forces of thousands of design points would take much memory.
+            // Only the value and the design point are kept, because the forces of thousands of design points would take much storage.
             Ok::<_, Error>(ascent_problem.evaluate(drawn)?.map(|design| (design.value, design.design_point)))
         });
         let (mut values, mut places) = (Vec::new(), Vec::new());
@@ -153,8 +154,8 @@ impl Improve<3> {
         Ok(answer)
     }
 
-    /// The reason why motions of this grasp are not small, or why it buckles: at rest, under one of the loads, or at the first slip, which comes at
-    /// `value` times the loads.
+    /// The reason why motions of this grasp are not small, or why it buckles. Examined are rest, each load of the question, and first slip, at which
+    /// the load is `value` times that of the question.
     fn too_far(&self, best: &Grasp<3>, loads: &Loads<3>, value: f64) -> Result<Option<TooFar>, Error> {
         let mut whole_loads = vec![self.base()];
         if let Loads::Each(list) = loads {
@@ -185,7 +186,7 @@ impl<const C: usize> Improved<C> {
 }
 
 impl Improved<3> {
-    /// [`Self::placed`] for the engine, whose vectors have three components in the plane, too.
+    /// Puts the places, frames and commands of this answer into `grasp`, in the engine's form, whose vectors have three components in the plane, too.
     fn placed_inside(&self, grasp: &Grasp<3>) -> Result<Grasp<3>, Error> {
         let (given, expected) = (self.contacts.len(), grasp.len());
         if given != expected {

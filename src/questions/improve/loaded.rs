@@ -1,6 +1,6 @@
-//! The loads of a question, and the load factor of first slip under them: the multiple of a load at which the first contact stops sticking. The base
-//! load acts before the other loads grow. The goal, the load factor of first slip or a reserve of friction, is the value that the search for better
-//! contact points and commands maximises.
+//! The loads of a question, and the load factor of first slip under them: the multiple of a load at which the first contact ceases to stick. The base
+//! load acts before the other loads grow. The goal is the value that the search for better finger placement maximises: this load factor, or a reserve
+//! of friction.
 
 use super::goal::ImproveGoal;
 use super::question::Improve;
@@ -17,8 +17,8 @@ pub(super) struct LoadSet {
     pub(super) base: Wrench<3>,
     pub(super) loads: Vec<Wrench<3>>,
     pub(super) goal: ImproveGoal,
-    /// The point, m, and the size, N, of a force of any direction. `loads` then holds the force of this size along each coordinate axis. `None` if
-    /// the loads of the question are single loads, which act one at a time.
+    /// The point, m, and the magnitude, N, of a force of any direction. `loads` then holds the force of this magnitude along each coordinate axis.
+    /// `None` if the loads of the question are single loads, which act one at a time.
     pub(super) any: Option<([f64; 3], f64)>,
 }
 
@@ -39,8 +39,8 @@ impl LoadSet {
         }
     }
 
-    /// The least load factor, over all loads, at which a contact stops sticking. If from some load factor on nothing resists a load, this factor
-    /// counts, too. `None` if a contact slides under the base load, or no equilibrium under the base load is found.
+    /// The least load factor, over all loads, at which a contact ceases to stick, or beyond which nothing resists a load. `None` if a contact slides
+    /// under the base load, or no equilibrium under the base load is found.
     pub(super) fn first_slip(&self, grasp: &Grasp<3>) -> Result<Option<f64>, Error> {
         if let Some((point, size)) = self.any {
             return Ok(match grasp.weakest_direction(self.base, point)? {

@@ -1,6 +1,7 @@
-//! Ascent across the edges between triangles of a mesh and the corners between segments of a polyline. A design point is one choice of the places and
-//! squeezes of all fingers. The goal is the value that the search maximises: the load factor of first slip, or a reserve of friction (the least
-//! margin of a contact force to the edge of its cone, N).
+//! Ascent across the edges between triangles of a mesh and the corners between segments of a polyline. A part of a surface is one triangle or
+//! segment. A design point is one choice of the places (positions on their surfaces) and commanded normal forces of all contacts. The goal is the
+//! value that the search maximises: the load factor of first slip, or a reserve of friction (the least margin of a contact force to the boundary of
+//! its friction cone, N).
 //!
 //! Normals jump at edges and corners, so derivatives on one side of an edge say nothing about the other side. An ascent may end with fingers at the
 //! edge of their part (a triangle or segment). These fingers are then moved to an adjacent part: first each finger alone, then all of them together.
@@ -42,8 +43,8 @@ impl AscentProblem<'_> {
         Ok(None)
     }
 
-    /// Design points (places and squeezes of all fingers). In each, one finger at the edge of its part (triangle or segment) has moved to an adjacent
-    /// part. If there are several such fingers, a further design point has all of them moved, each to its first adjacent part.
+    /// Design points (places and commanded normal forces of all contacts). In each, one contact at the edge of its part (triangle or segment) has
+    /// moved to an adjacent part. If there are several such contacts, a further design point has all of them moved, each to its first adjacent part.
     fn adjacent(&self, from: &DesignPoint) -> Vec<DesignPoint> {
         let (mut design_points, mut all, mut move_at_once) = (Vec::new(), from.clone(), 0);
         for (contact, surface) in &self.design_space.question.surfaces {

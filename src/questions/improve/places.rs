@@ -32,7 +32,7 @@ pub(super) fn clockwise(a: &SVector<f64, 3>) -> SVector<f64, 3> {
     [a[1], -a[0], 0.0].into()
 }
 
-/// A unit vector at a right angle to the given unit vectors. In the plane it is the one given vector, turned clockwise; in space it is the cross
+/// A unit vector at a right angle to the given unit vectors. In the plane it is the only given vector, turned clockwise. In space it is the cross
 /// product of the two given vectors, which are perpendicular.
 fn perpendicular(along: &[SVector<f64, 3>]) -> SVector<f64, 3> {
     match along {
@@ -50,7 +50,8 @@ fn both_across(axis: &SVector<f64, 3>) -> [SVector<f64, 3>; 2] {
     [first, perpendicular(&[*axis, first])]
 }
 
-/// The point with these coordinates, m, in the plane of a triangle (see [`frame`]), with normal, tangents and distances to the edges.
+/// The point with the coordinates `a` and `b`, m, along the directions of [`frame`] in the plane of a triangle, with normal, tangents and distances
+/// to the edges.
 fn on_triangle(corners: &[SVector<f64, 3>; 3], [a, b]: [f64; 2]) -> SurfacePoint {
     let [x, y] = frame(corners);
     let point = corners[0] + x * a + y * b;
@@ -86,8 +87,8 @@ impl Shape {
         }
     }
 
-    /// The largest absolute coordinate of a corner of a segment or triangle, m; zero for other shapes. Rounding errors of points are relative to this
-    /// coordinate.
+    /// The largest magnitude of a coordinate of a corner of a segment or triangle, m; zero for other shapes. Rounding errors of points are relative
+    /// to it.
     pub(super) fn largest(&self) -> f64 {
         let of = |corners: &[SVector<f64, 3>]| largest(corners, &SVector::amax);
         match self {

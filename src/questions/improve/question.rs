@@ -1,5 +1,6 @@
-//! The question of finger placement: its loads, the places and squeezes (normal forces of commands) that may change, and upper limits of the
-//! squeezes. A command is the displacement that a finger would make without the object.
+//! The question of finger placement: its loads, the contacts that may move and along which surfaces, and upper limits of the commanded normal forces.
+//! The commanded normal force of a contact is that which its command causes with the object held in place. The command is the displacement that the
+//! finger would make if there were no object. The load factor is the multiple of a load.
 
 use nalgebra::SVector;
 
@@ -26,15 +27,14 @@ pub struct Improve<const C: usize> {
     /// The load that acts before the other loads and stays constant.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(crate) base: Option<Wrench<C>>,
-    /// A load that grows.
-    // It grows from zero in proportion to the load factor. If `any_force` is given, it is the constant load that acts together with that force.
+    /// A load that grows in proportion to the load factor. Together with `any_force` it is a constant load.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(crate) load: Option<Wrench<C>>,
-    /// Loads that grow, one at a time.
-    // Each load is a case of its own and grows from zero in proportion to the load factor.
+    /// Loads that grow in proportion to the load factor, one at a time.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub(crate) loads: Vec<Wrench<C>>,
-    /// The size, N, of a force of any direction that acts at `at` in addition to the constant `load`. At load factor 1 the force has this size.
+    /// The magnitude, N, of a force of any direction that acts at `at` in addition to the constant `load`. At load factor 1 the force has this
+    /// magnitude.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(crate) any_force: Option<f64>,
     /// The point where the force of any direction acts, m; the origin if not given.
@@ -51,7 +51,7 @@ pub struct Improve<const C: usize> {
     )]
     #[cfg_attr(feature = "schema", schemars(!default))]
     pub(super) at_most: Option<f64>,
-    /// The quantity to maximise; the load at first slip if not given.
+    /// The quantity to maximise; the load factor of first slip if not given.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(super) goal: Option<ImproveGoal>,
     /// Number of random starts in addition to the grasp of the scene; 8 if not given.
@@ -151,7 +151,8 @@ impl<const C: usize> Improve<C> {
         self
     }
 
-    /// Lets the search change the normal command of one contact (from 0), up to a force of `force`, N; see [`Self::pressing_at_most`].
+    /// Lets the search change the normal command of one contact (from 0), up to a force of `force`, N. The limit applies to the force that the
+    /// contact is [commanded to press with](crate::grasp::Contact::pressed_with) and to its normal force under the base load.
     pub fn contact_pressing_at_most(mut self, contact: usize, force: f64) -> Self {
         match place_of(&self.most, contact) {
             Ok(place) => self.most[place].1 = force,
@@ -187,13 +188,13 @@ impl Improve<3> {
         place_of(&self.surfaces, contact).ok().map(|place| &self.surfaces[place].1.0)
     }
 
-    /// The greatest allowed normal force of a contact, N; `None` if its squeeze may not change.
+    /// The greatest allowed normal force of a contact, N; `None` if its command may not change.
     pub(super) fn most_of(&self, contact: usize) -> Option<f64> {
         place_of(&self.most, contact).ok().map(|place| self.most[place].1).or(self.at_most)
     }
 
-    /// An error for numbers out of range, loads that turn, soft fingertips with a surface or greatest force, suction, hands, and questions in which
-    /// nothing may change.
+    /// Returns an error for numbers out of range, loads that turn, soft fingertips with a surface or greatest force, suction, hands, and questions in
+    /// which nothing may change.
     pub(super) fn check(&self, grasp: &Grasp<3>) -> Result<(), Error> {
         grasp.refuse_hands("improve")?;
         let space = grasp.engine.space();

@@ -1,4 +1,5 @@
-//! Curves and surfaces that contacts may move along. The goal of the search for better places is a late first slip, or a large reserve of friction.
+//! Curves and surfaces that contacts may move along in the search for better finger placement. The goal of this search is a late first slip, or a
+//! large reserve of friction.
 
 use crate::numerics::{Each, IntoList};
 use nalgebra::SVector;
@@ -170,7 +171,8 @@ impl<const C: usize> Surface<C> {
 }
 
 impl Shape {
-    /// [`Surface::nearest`] for the engine, whose vectors have three components in the plane, too: the point and the normal.
+    /// The point of the surface nearest to `point`, and the normal there, in the engine's form, whose vectors have three components in the plane,
+    /// too.
     fn nearest_to(&self, point: SVector<f64, 3>, normal: SVector<f64, 3>) -> Result<[[f64; 3]; 2], Error> {
         let refused = |what, value, allowed| Err(Error::Argument { what, value, allowed });
         if let Err(NoSurface { field, value, allowed }) = self.is_one() {

@@ -1,6 +1,6 @@
-//! The answer to [`Improve`](super::Improve) in a sentence, as one would say it to a colleague. A design point is one choice of the places and
-//! squeezes (normal forces of commands) of all fingers; at rest means before the loads grow. The reserve is the least margin, N, of a contact force
-//! to the edge of its friction cone.
+//! The answer to [`Improve`](super::Improve) as a sentence. A design point is one choice of the places (positions on their surfaces) and commanded
+//! normal forces of all contacts. At rest means before the loads grow. The reserve is the least margin, N, of a contact force to the boundary of its
+//! friction cone.
 
 use core::fmt;
 
@@ -13,8 +13,8 @@ use crate::numerics::{largest, mapped, numbered};
 use crate::prelude::*;
 use crate::words::{ALIKE_IN_WORDS, MOST_NAMES, Words, listed};
 
-/// Two contacts nearer to each other than this fraction of the size of the grasp have no room for two fingers. With a smaller fraction fingers that
-/// touch are not mentioned; with a larger one neighbouring fingers of a hand are.
+/// Two contacts nearer to each other than this fraction of the size of the grasp, a length, have no room for two fingers. If the fraction were
+/// smaller, fingers that touch would not be mentioned. If it were larger, neighbouring fingers of a hand would be.
 const IN_ONE_PLACE: f64 = 1e-3;
 
 impl<const C: usize> fmt::Display for Improved<C> {
@@ -44,7 +44,7 @@ impl Improved<3> {
         let (what, one) = if is_reserve { ("RESERVE of", None) } else { ("FIRST SLIP at", self.force) };
         let unit = if is_reserve || one.is_some() { "N" } else { "times the loads" };
         let much = |value: f64| words.number(value * one.unwrap_or(1.0));
-        // If the first slip comes before the whole load acts (at a factor `after` below 1), the size of the whole load follows: "8 N of 10 N".
+        // If first slip comes before the whole load acts (at a factor `after` below 1), the magnitude of the whole load follows: "8 N of 10 N".
         let of_whole = match one.filter(|_| after < 1.0) {
             Some(whole) => format!(" of {} N", words.number(whole)),
             None => String::new(),
@@ -93,8 +93,8 @@ impl Improved<3> {
         None
     }
 
-    /// The clause about the changes of places and squeezes: "left moves 3.1 mm along its edge, right 2 mm along its circle; both `pressed_with` 10
-    /// N". Empty if nothing changed.
+    /// The clause about the changes of places and commanded normal forces: "left moves 3.1 mm along its edge, right 2 mm along its circle; both
+    /// `pressed_with` 10 N". Empty if nothing changed.
     fn changes_text(&self, words: Words) -> String {
         let size = largest(&self.contacts, &|placed| placed.point.amax());
         let far = largest(&self.contacts, &|placed| placed.moved);
