@@ -3,18 +3,18 @@
 //! from another measurement.
 //!
 //! A prime denotes the transpose. The matrix U_g has a row for each observation of group g: the derivatives of its predicted load with respect to the
-//! parameters, divided by its standard deviation. The derivatives are taken along a basis of the logarithms of the parameters, chosen such that `Σ
-//! U_g'U_g = 1`. Let e_g be the residuals of these observations, divided by their standard deviations, and `Q_g = U_g'U_g`. Group g contributes `w_g`
-//! to the estimates. The power of `1 - Q_g` corrects for the influence of the group's own residuals on them:
+//! parameters, divided by its standard deviation. The derivatives are taken along a basis of the logarithms of the parameters, chosen such that
+//! `Σ U_g'U_g = 1`. Let e_g be the residuals of these observations, divided by their standard deviations, and `Q_g = U_g'U_g`. Group g contributes
+//! `w_g` to the estimates. The power of `1 - Q_g` corrects for the influence of the group's own residuals on them:
 //!
 //! ```text
 //! w_g = (1 - Q_g)^(-1/2) U_g'e_g
 //! ```
 //!
 //! This is the correction CR2 of Bell and McCaffrey. Its matrices have the dimension of the few parameters instead of the many observations, because
-//! `U'(1 - UU')^(-1/2) = (1 - U'U)^(-1/2) U'`. The variance of a parameter with the components c in this basis is `Σ (c'w_g)²`. Let `a_g = (1 -
-//! Q_g)^(-1/2) c`, and `δ_gh` be 1 if g = h, else 0. If the rows were independent, the numbers `c'w_g` would have the covariances `Ω_gh = δ_gh
-//! a_g'Q_g a_g - (Q_g a_g)'(Q_h a_h)`. The degrees of freedom are Satterthwaite's, `(tr Ω)² / tr Ω²`.
+//! `U'(1 - UU')^(-1/2) = (1 - U'U)^(-1/2) U'`. The variance of a parameter with the components c in this basis is `Σ (c'w_g)²`. Let
+//! `a_g = (1 - Q_g)^(-1/2) c`, and `δ_gh` be 1 if g = h, else 0. If the rows were independent, the numbers `c'w_g` would have the covariances
+//! `Ω_gh = δ_gh a_g'Q_g a_g - (Q_g a_g)'(Q_h a_h)`. The degrees of freedom are Satterthwaite's, `(tr Ω)² / tr Ω²`.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -141,9 +141,9 @@ mod tests {
         assert!((found.degrees - 3.0).abs() < 1e-12, "{}", found.degrees);
     }
 
-    /// A straight line through three uneven groups. The result is compared with the definition by matrices with a row for each observation, `V = B Σ
-    /// X_g'A_g e_g e_g'A_g X_g B`. X_g are the rows of the design matrix for group g, e_g its residuals, and B the covariance of the parameters. H is
-    /// the hat matrix, and `A_g = (1 - H)_gg^(-1/2)`. Satterthwaite's degrees of freedom are computed from the whole matrix `1 - H`.
+    /// A straight line through three uneven groups. The result is compared with the definition by matrices with a row for each observation,
+    /// `V = B Σ X_g'A_g e_g e_g'A_g X_g B`. X_g are the rows of the design matrix for group g, e_g its residuals, and B the covariance of the
+    /// parameters. H is the hat matrix, and `A_g = (1 - H)_gg^(-1/2)`. Satterthwaite's degrees of freedom are computed from the whole matrix `1 - H`.
     #[test]
     fn a_line_by_its_definition() {
         let groups = [0, 0, 0, 1, 1, 2, 2, 2, 2];

@@ -1,9 +1,9 @@
 //! The value of each sticking condition of each contact under each load, and its derivatives with respect to the variables of the search. A sticking
-//! condition is `a·F >= 0` for the contact force F and the coefficients a of one facet of its friction cone. If the goal is a late first slip, its
-//! value is the load factor that breaks it; if the goal is a reserve, the value is the margin `a·F` under the load. Sticking conditions under loads
-//! are events in the code. The variables are places of contacts (positions on their curves or surfaces) and commanded normal forces; a design point
-//! is one choice of all of them. The base load acts before the loads of the question grow. An idle contact is open or touches without force under the
-//! base load, and stays so until a load pushes it.
+//! condition is `a·F >= 0` for the contact force F and the coefficients a of one facet of its friction cone. [`Edges`] are all conditions of one
+//! contact. If the goal is a late first slip, the value of a condition is the load factor that breaks it. If the goal is a reserve, it is the margin
+//! `a·F` under the load. In the code a sticking condition under a load is an event. The variables are places of contacts (positions on their curves
+//! or surfaces) and commanded normal forces; a design point is one choice of all of them. The base load acts before the loads of the question grow.
+//! An idle contact is open or touches without force under the base load, and stays so until a load pushes it.
 
 use core::f64::consts::TAU;
 

@@ -47,10 +47,10 @@ pub(super) struct TrialStep {
     /// For each variable the multipliers of the lower and upper end of its range. A multiplier is zero unless the variable is at that end before the
     /// step.
     pub(super) ends: Vec<[f64; 2]>,
-    /// How far the present values of the variables are from first-order optimality: the larger of two residuals. The first is the largest entry of `Σ
-    /// λ ∇τ + Σ ν h`, over variables that are not at an end of their range. Here λ are the multipliers of the values τ of sticking conditions, and ν
-    /// those of the constraints `h·d + left >= 0`. The second is the residual of complementarity: the sum of all multipliers, each times the distance
-    /// of its sticking condition or constraint from being active.
+    /// How far the present values of the variables are from first-order optimality: the larger of two residuals. The first is the largest entry of
+    /// `Σ λ ∇τ + Σ ν h`, over variables that are not at an end of their range. Here λ are the multipliers of the values τ of sticking conditions, and
+    /// ν those of the constraints `h·d + left >= 0`. The second is the residual of complementarity: the sum of all multipliers, each times the
+    /// distance of its sticking condition or constraint from being active.
     pub(super) residual: f64,
 }
 
