@@ -1,16 +1,17 @@
-//! The memory in which screening stores the answers to one question for the grasps of one block. Screening computes, for many grasps, the load factor
-//! at which the first contact stops sticking (first slip). A block holds as many grasps as a SIMD vector has numbers (lanes). A pull is a load that
-//! grows from a base load.
+//! The storage of the answers of screening to one question for the grasps of one block. Screening computes, for many grasps, the load factor of first
+//! slip, at which the first contact ceases to stick. A block holds as many grasps as a SIMD vector has numbers (lanes). A pull is a load that grows
+//! from a base load.
 
 use super::lanes::Packed;
 
-/// The memory for the answers of all grasps of one block to one question, such as the load factor at first slip under one pull. The numbers of a
+/// The storage of the answers for all grasps of one block to one question, such as the load factor of first slip under one pull. The numbers of a
 /// grasp are at one index, its lane, in every vector of numbers.
 pub(crate) struct AnswerSlots<'a, T, X: Packed> {
     /// The answers to all questions for the grasps of the block, ordered by grasp, then by question.
     answers: &'a mut [T],
-    /// For each lane (entry of a vector, which belongs to one grasp), true if the present [`Method`](super::method::Method) computes the contact
-    /// forces of this grasp. Answers of other lanes are not stored.
+    /// For each lane (entry of a vector, which belongs to one grasp), true if the method in use computes the contact forces of this grasp: from
+    /// forces along lines between contacts or from the motion of the object ([`Method`](super::method::Method)). Answers of other lanes are not
+    /// stored.
     is_method_of_lane: X::Each<bool>,
     question: usize,
     questions: usize,
@@ -19,7 +20,7 @@ pub(crate) struct AnswerSlots<'a, T, X: Packed> {
 }
 
 impl<'a, T: Copy, X: Packed> AnswerSlots<'a, T, X> {
-    /// The memory for the answers of a block to the question with the index `question`, from 0, of `questions` questions, with `each` entries per
+    /// The storage of the answers of a block to the question with the index `question`, from 0, of `questions` questions, with `each` entries per
     /// grasp.
     #[inline(always)]
     pub(super) fn new(
@@ -31,7 +32,7 @@ impl<'a, T: Copy, X: Packed> AnswerSlots<'a, T, X> {
         Self { answers, is_method_of_lane, question, questions, each }
     }
 
-    /// The memory for the answer of the grasp in this `lane`, i.e. at this index of the vectors. `None` if the forces of this grasp are found by
+    /// The storage of the answer of the grasp in this `lane`, i.e. at this index of the vectors. `None` if the forces of this grasp are found by
     /// another method, or if the lane is unused because the last block is not full.
     #[inline(always)]
     pub(super) fn slot(&mut self, lane: usize) -> Option<&mut [T]> {

@@ -1,8 +1,8 @@
 //! The stiffness matrix of the object if every contact sticks, `T = Σ G_i K_i G_iᵀ` with the grasp map G_i and stiffness K_i of contact i,
 //! factorised.
 //!
-//! A contact has the unit normal n, the normal stiffness k_n and one tangential stiffness k_t. In coordinate axes thus `K_i = k_t I + (k_n - k_t) n
-//! nᵀ`. A block holds as many grasps as a vector has numbers, one in each lane.
+//! A contact has the unit normal n, the normal stiffness k_n and one tangential stiffness k_t. In coordinate axes thus
+//! `K_i = k_t I + (k_n - k_t) n nᵀ`. A block holds as many grasps as a vector has numbers, one in each lane.
 
 use super::block::{Block, Layout, count, entries};
 use super::factors::LaneFactors;
@@ -14,7 +14,7 @@ use super::pinch::AlongTheLine;
 #[derive(Debug, Clone, Copy)]
 pub(super) struct RigidBody<const C: usize, X: Packed> {
     centre: [X; C],
-    /// Largest absolute coordinate of the vectors from the centroid to the contacts, m.
+    /// Largest magnitude of a coordinate of the vectors from the centroid to the contacts, m.
     pub(super) reach: X,
     /// For two contacts in space: the exchange of coordinates after which the rotation about the coordinate axis nearest to the line through both
     /// contacts comes last. No spring resists the rotation about this line, so the last pivot vanishes up to rounding. `None` for all other grasps.
@@ -23,7 +23,6 @@ pub(super) struct RigidBody<const C: usize, X: Packed> {
 }
 
 impl<const C: usize, X: Packed> RigidBody<C, X> {
-    /// A value with zeros, before [`Self::ready`] computes the stiffness matrix of a block.
     pub(super) fn none() -> Self {
         let zero = X::all(0.0);
         Self { centre: [zero; C], reach: zero, line: None, factors: LaneFactors::none() }
@@ -74,7 +73,7 @@ impl<const C: usize, X: Packed> RigidBody<C, X> {
         self.factors.free
     }
 
-    /// The motion of the object under the wrench w, `T⁻¹ w` with its stiffness matrix T; zero along motions that stretch no spring.
+    /// The motion `T⁻¹ w` of the object under the wrench w, with the stiffness matrix T of the object; zero along motions that stretch no spring.
     #[inline(always)]
     pub(super) fn motion(&self, w: &[X; 6]) -> [X; 6] {
         let coordinates = Layout::<C>::COORDINATES;
@@ -99,9 +98,9 @@ impl<const C: usize, X: Packed> RigidBody<C, X> {
         carried
     }
 
-    /// The load that `forces` leave unbalanced, as force and moment about the centroid, and its relative size. The size is a sum of two ratios. One
-    /// is the largest force component over the sum of the magnitudes of all forces. The other is the largest moment component over a bound on the sum
-    /// of the magnitudes of all moments.
+    /// The load that `forces` leave unbalanced, as force and moment about the centroid, and its relative magnitude. The latter is a sum of two
+    /// ratios. One is the largest force component over the sum of the magnitudes of all forces. The other is the largest moment component over a
+    /// bound on the sum of the magnitudes of all moments.
     #[inline(always)]
     pub(super) fn unbalanced(
         &self,
@@ -139,7 +138,7 @@ impl<const C: usize, X: Packed> RigidBody<C, X> {
         // them 0.
         let tiny = X::all(f64::MIN_POSITIVE);
         let part = worst_force / (size + tiny) + worst_moment / (moments + tiny);
-        // `max` ignores NaN. Adding zero times the first entry of `left` makes the size NaN if that entry is NaN.
+        // `max` ignores NaN. Adding zero times the first entry of `left` makes the relative magnitude NaN if that entry is NaN.
         (left, part + X::all(0.0) * left[0])
     }
 }

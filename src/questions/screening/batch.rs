@@ -1,6 +1,6 @@
-//! Many grasps with the same number of contacts, laid out in memory so that several grasps are screened at once. Screening computes the load factor
-//! at which the first contact stops sticking (first slip), and similar numbers, for many grasps. A block holds as many grasps as a SIMD vector has
-//! numbers (lanes). A command is the displacement that a finger would make without the object.
+//! Many grasps with the same number of contacts, laid out so that several grasps are screened at once. Screening computes, for many grasps, the load
+//! factor of first slip, at which the first contact ceases to stick, and similar numbers. A block holds as many grasps as a SIMD vector has numbers
+//! (lanes). A command is the displacement that a finger would make if there were no object.
 
 use super::block::AnyGraspData;
 use super::fingers::Fingers;
@@ -70,12 +70,12 @@ impl<const C: usize, const N: usize> Batch<C, N> {
         self.0.len() == 0
     }
 
-    /// Removes all grasps and keeps the memory.
+    /// Removes all grasps and keeps the allocated storage.
     pub fn clear(&mut self) {
         self.0.clear();
     }
 
-    /// The load factor at first slip of every grasp under each of the growing loads `pulls`, on one thread;
+    /// The load factor of first slip of every grasp under each of the growing loads `pulls`, on one thread;
     /// [`sweep::onsets_of_batch`](crate::sweep::onsets_of_batch) uses all cores. The earlier content of `answers` is replaced: the answer of grasp g
     /// under the load p of `pulls` is at `g * pulls.len() + p`. Work that does not depend on the load is done once per grasp. Nothing is allocated if
     /// `answers` has the capacity for all answers.
@@ -115,7 +115,7 @@ impl<const C: usize, const N: usize> Batch<C, N> {
         self.ask_into(&Kernels::get().load_cases, cases, answers);
     }
 
-    /// For each grasp and each growing load, the derivatives of the load factor at first slip, on one thread. They are taken with respect to contact
+    /// For each grasp and each growing load, the derivatives of the load factor of first slip, on one thread. They are taken with respect to contact
     /// points, normals, commands, stiffnesses, coefficients of friction and the load.
     /// [`sweep::onset_gradients_of_batch`](crate::sweep::onset_gradients_of_batch) uses all cores and has an example. The gradient of grasp g under
     /// load p has the number `g * pulls.len() + p`, and equals the gradient of [`Fingers::onset_gradients`] bit for bit.

@@ -1,4 +1,4 @@
-//! Answers the questions of screening, such as the load factor at which the first contact stops sticking, for consecutive grasps of a batch, on one
+//! Answers the questions of screening, such as the load factor at which the first contact ceases to stick, for consecutive grasps of a batch, on one
 //! thread. A block holds as many grasps as a SIMD vector has numbers (lanes).
 
 use super::answer_slots::AnswerSlots;
@@ -15,7 +15,7 @@ use crate::prelude::*;
 /// The forces at contacts, with room for as many contacts as a grasp of a batch may have.
 type WideForces<const C: usize> = Forces<C, Lanes, [Force<C, Lanes>; MOST_POINTS]>;
 
-/// Consecutive grasps of a batch for one thread, the questions about these grasps, and the memory for the answers.
+/// Consecutive grasps of a batch for one thread, the questions about these grasps, and the storage of the answers.
 pub(super) struct BatchPart<'a, const C: usize, Q: ScreeningQuestion<C>> {
     pub(super) contacts: usize,
     /// Bit i is set if contact point i is the last point of its finger. A soft fingertip has several points, any other contact has one.
@@ -26,7 +26,7 @@ pub(super) struct BatchPart<'a, const C: usize, Q: ScreeningQuestion<C>> {
     pub(super) numbers: &'a [Lanes],
     pub(super) commands_and_clearances: &'a [Lanes],
     pub(super) questions: &'a [Q],
-    /// The memory for the answers about these grasps, ordered by grasp, then by question.
+    /// The storage of the answers about these grasps, ordered by grasp, then by question.
     pub(super) answers: &'a mut [Q::Answer],
 }
 
@@ -54,7 +54,7 @@ impl<const C: usize, Q: ScreeningQuestion<C>> OnVectors for BatchPart<'_, C, Q> 
 }
 
 impl<const C: usize, Q: ScreeningQuestion<C>> BatchPart<'_, C, Q> {
-    /// Answers the questions block by block. The four arrays are working memory: contact forces that are computed for one block and overwritten for
+    /// Answers the questions block by block. The four arrays are scratch buffers: contact forces that are computed for one block and overwritten for
     /// the next.
     #[inline(always)]
     fn screen<V: Vectors>(self, vectors: V, [squeezed, a, b, c]: [&mut AnyForces<C, Lanes>; 4]) {

@@ -1,6 +1,6 @@
 //! The data of several grasps, side by side in the lanes of SIMD vectors, as screening uses them. Screening computes, for many grasps, the load
-//! factor at which the first contact stops sticking (first slip). A command is the displacement that a finger would make without the object. A
-//! clearance is the gap between finger and object before the command; it is negative if they overlap.
+//! factor of first slip, at which the first contact ceases to stick. A command is the displacement that a finger would make if there were no object.
+//! A clearance is the gap between finger and object before the command; it is negative if they overlap.
 
 use super::lanes::Packed;
 
@@ -26,7 +26,7 @@ pub(super) fn entries<X: Copy, const K: usize>(rows: &[&[X]; K], i: usize) -> [X
 
 /// The data of several grasps with the same number of contacts, one grasp in each lane of a vector. Each row of `numbers` has one entry per contact;
 /// the three numbers of [`TermSizes`] follow. The number of contacts is a run-time value. Thus the functions of screening are compiled once for the
-/// plane and once for space, not for each number.
+/// plane and once for space, not for each number of contacts.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Block<'a, const C: usize, X: Packed> {
     pub(super) contacts: usize,
@@ -38,25 +38,25 @@ pub(super) struct Block<'a, const C: usize, X: Packed> {
     pub(super) commands_and_clearances: &'a [X],
 }
 
-/// Commanded displacements less clearances, m: the component along the normal (`pressed`), and the tangential vector (`sheared`, in space along the
-/// coordinate axes, see [`super::finger::Force`]). One vector in coordinate axes for both would have the rounding of a large normal component. A
-/// stiff tangential spring would turn this rounding into a force.
+/// Commanded displacements less clearances, m: the component along the normal (`pressed`), and the tangential vector (`sheared`). In space the latter
+/// is along the coordinate axes; in the plane its only component is along (n_y, -n_x). A single vector along the coordinate axes for both would have
+/// the rounding of a large normal component. A stiff tangential spring would turn this rounding into a force.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Commanded<'a, const C: usize, X: Packed> {
     pub(super) pressed: &'a [X],
     pub(super) sheared: [&'a [X]; C],
 }
 
-/// Bounds on the sums of the absolute values of the terms that add up to a contact force. The rounding error of the force is proportional to such a
-/// sum. The bounds are zero if forces are found from the motion of the object ([`Method::Motions`](super::method::Method::Motions)), which bounds the
+/// Bounds on the sums of the magnitudes of the terms that add up to a contact force. The rounding error of the force is proportional to such a sum.
+/// The bounds are zero if forces are found from the motion of the object ([`Method::Motions`](super::method::Method::Motions)), which bounds the
 /// rounding of each force in another way.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct TermSizes<X: Packed> {
-    /// Bound on the sum of the absolute values of the terms of a contact force that are due to the commands, N.
+    /// Bound on the sum of the magnitudes of the terms of a contact force that are due to the commands, N.
     pub(super) commands: X,
-    /// Bound, N, on the sum of absolute values of the terms of a contact force that are due to a moment of 1 N m about one axis.
+    /// Bound, N, on the sum of the magnitudes of the terms of a contact force that are due to a moment of 1 N m about one axis.
     pub(super) moment: X,
-    /// Bound, N, on the sum of absolute values of the terms of a contact force that are due to a load of 1 N.
+    /// Bound, N, on the sum of the magnitudes of the terms of a contact force that are due to a load of 1 N.
     pub(super) force: X,
 }
 
@@ -68,12 +68,12 @@ impl<const C: usize> Layout<C> {
     /// Unit normals into the object, one row per axis.
     pub(super) const NORMAL: usize = C;
     pub(super) const SHEARED: usize = 2 * C;
-    /// Rows of normal and of tangential stiffness, N/m. Compliances, m/N, for grasps whose forces are found along edges between contacts
+    /// Rows of normal and of tangential stiffness, N/m. They are compliances, m/N, in grasps whose forces are found along the lines between contacts
     /// ([`Method::Edges`](super::method::Method::Edges)).
     pub(super) const SPRINGS: usize = 3 * C;
     pub(super) const PRESSED: usize = 3 * C + 2;
     /// The row of coefficients of friction. In place of a coefficient there may be a code: [`OPENS_ONLY`](super::cone::OPENS_ONLY) for a contact that
-    /// stops sticking only by opening, [`STAYS`](super::cone::STAYS) for one that never stops.
+    /// ceases to stick only by opening, [`STAYS`](super::cone::STAYS) for one that never ceases to stick.
     pub(super) const FRICTION: usize = 3 * C + 3;
     const OF_A_CONTACT: usize = 3 * C + 4;
     /// The number of components of loads and of motions of the object.

@@ -1,10 +1,10 @@
 //! A bound that shows that a sticking grasp does not buckle, for several grasps, one in each lane of a vector. Contact forces and the load reduce the
-//! stiffness against rotation, the resistance, because their points of action turn with the object; see `equilibrium/left_out`.
+//! stiffness against rotation, because their points of action turn with the object.
 //!
-//! If contact i is at least as stiff as k_i in every direction, the springs resist rotations about the centroid of the k_i with at least the stiffness
-//! `J = Σ k_i (|r_i|² 1 - r_i r_iᵀ)`, with the arms r_i from this centroid. Forces F at arms r, of contacts and loads, add the geometric stiffness
-//! `M = Σ (F·r) 1 - ½ (F rᵀ + r Fᵀ)`. In the plane both are numbers, `Σ k_i |r_i|²` and `Σ F·r`. The grasp does not buckle while all eigenvalues of
-//! J⁻¹ M are above -1, so that it is enough if `tr (J⁻¹ M)²` is below 1.
+//! If contact i is at least as stiff as k_i in every direction, the springs resist rotations about the centroid of the k_i with at least the
+//! stiffness `J = Σ k_i (|r_i|² 1 - r_i r_iᵀ)`, with the arms r_i from this centroid. Forces F at arms r, of contacts and loads, add the geometric
+//! stiffness `M = Σ (F·r) 1 - ½ (F rᵀ + r Fᵀ)`. In the plane both are numbers, `Σ k_i |r_i|²` and `Σ F·r`. The grasp does not buckle while all
+//! eigenvalues of J⁻¹ M are above -1. If `tr (J⁻¹ M)²` is below 1, they are.
 
 use super::block::{Block, count, entries};
 use super::factors::LaneFactors;
@@ -82,9 +82,9 @@ impl<const C: usize, X: Packed> RotationalStiffness<C, X> {
         arm
     }
 
-    /// The square root of `tr (J⁻¹ M)²`: no smaller than the fraction of the stiffness against rotation that these contact forces and this load take
-    /// away, or add, in any rotation. J and M are as at the top of the file. NaN if some rotation is not resisted, and if no contact carries a force,
-    /// so that the object lies loose.
+    /// The square root of `tr (J⁻¹ M)²`, with the matrices J and M at the top of the file. It is no smaller than the fraction of the stiffness
+    /// against rotation that these contact forces and this load take away, or add, in any rotation. NaN if some rotation is not resisted, and if no
+    /// contact carries a force, so that the object lies loose.
     #[inline(never)]
     pub(super) fn taken<V: Vectors>(
         &self,

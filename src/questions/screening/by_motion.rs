@@ -1,8 +1,8 @@
-//! Contact forces while every contact sticks, computed from the motion of the object. This is the method for grasps of two contacts in space, and of
-//! three or more contacts unless [`Method::Edges`](super::method::Method::Edges) covers them. A lane is the place of one grasp in a SIMD vector,
-//! whose numbers are computed side by side.
+//! Contact forces while every contact sticks, computed from the motion of the object. This is the method for two contacts in space, and for three or
+//! more contacts, unless forces along the lines between contacts are the unknowns ([`Method::Edges`](super::method::Method::Edges)). A lane is the
+//! place of one grasp in a SIMD vector, whose numbers are computed side by side.
 //!
-//! First the commands (displacements that the fingers would make without the object) stretch the springs with the object held in place. Then the
+//! First the commands (displacements that the fingers would make if there were no object) stretch the springs with the object held in place. Then the
 //! object is released and moves by `q = T⁻¹ w`, with the stiffness matrix T. The wrench w is the sum of the load and of the spring forces on the
 //! object before this motion. If stiffnesses differ much, T loses the contribution of the soft contacts. The resulting forces then do not balance the
 //! load. The residual becomes w, and the motion is computed again. Forces that satisfy both the balance and the spring law are right, however
@@ -155,9 +155,9 @@ fn move_object<const C: usize, X: Packed>(
 }
 
 /// Bounds the rounding error of each contact force by a fraction of the sum of two terms. The first term is the force itself. The second term is the
-/// force that the contact's spring would exert if it were stretched by the command and the whole motion of the object. The second term is limited to
-/// the sum of the load, all contact forces and the second largest spring force. The reason is that errors of displacements cause forces that balance
-/// each other, which takes at least two contacts.
+/// force that the contact's spring would exert if it were stretched by the command and the whole motion of the object. Errors of displacements cause
+/// forces that balance each other, which takes at least two contacts. The second term is therefore limited to the sum of the load, all contact forces
+/// and the second largest spring force.
 #[inline(always)]
 fn bound_rounding<const C: usize, X: Packed>(
     body: &RigidBody<C, X>,

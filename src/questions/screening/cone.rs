@@ -8,17 +8,17 @@ use super::finger::Force;
 use super::lanes::{Packed, dot};
 
 /// The condition for a contact to stick, `α F_n >= β |F_t|`. F_n is the normal force and F_t the friction force. For a contact with friction, α is
-/// the coefficient of friction and β is 1. The pair (α, β) is (1, 0) for a contact that can only open, and (0, 0) for a contact that never stops
-/// sticking.
+/// the coefficient of friction and β is 1. The pair (α, β) is (1, 0) for a contact that can only open, and (0, 0) for a contact that never ceases to
+/// stick.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct StickingCone<X: Packed> {
     pub(super) alpha: X,
     pub(super) beta: X,
 }
 
-/// The code in place of a coefficient of friction that is zero or infinite: such a contact stops sticking only by opening.
+/// The code in place of a coefficient of friction that is zero or infinite: such a contact ceases to stick only by opening.
 pub(super) const OPENS_ONLY: f64 = -1.0;
-/// The code stored in place of a coefficient of friction for a contact that never stops sticking. Such a contact is bonded (it neither opens nor
+/// The code stored in place of a coefficient of friction for a contact that never ceases to stick. Such a contact is bonded (it neither opens nor
 /// slides), or it is kept closed by assumption and has zero or infinite friction.
 pub(super) const STAYS: f64 = 0.0;
 

@@ -1,5 +1,5 @@
-//! The margin of sticking at the contact that leaves its friction cone first, and the derivatives of this margin. A command is the displacement that
-//! a finger would make without the object.
+//! The margin of sticking at the contact that leaves its friction cone first, and the derivatives of this margin. In the code the point at which its
+//! force leaves the cone is an edge. A command is the displacement that a finger would make if there were no object.
 
 use super::block::{Commanded, MOST_SCREENED, count};
 use super::cone::StickingCone;
@@ -8,8 +8,9 @@ use super::lanes::{Packed, dot};
 use super::screened::Screened;
 use crate::numerics::tolerances::NEGLIGIBLE;
 
-/// The margin `m = α F_n - β |F_t|` of the contact that leaves its cone first, and its derivatives, at the load factor at which m vanishes. With
-/// friction, α is the coefficient and β is 1; see [`StickingCone`]. In arrays with one entry per contact, the entries of all other contacts are zero.
+/// The margin `m = α F_n - β |F_t|` of the contact that leaves its cone first, and its derivatives, at the load factor at which m vanishes. F_n is
+/// the normal force and F_t the friction force. With friction, α is the coefficient and β is 1; [`StickingCone`] has the values for other contacts.
+/// In arrays with one entry per contact, the entries of all other contacts are zero.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct LeavingEdge<const C: usize, X: Packed> {
     /// The load factor at which the margin m of the first contact to leave its cone vanishes. NaN if no contact leaves its cone, which makes all
@@ -17,8 +18,8 @@ pub(super) struct LeavingEdge<const C: usize, X: Packed> {
     pub(super) factor: X,
     /// The index, from 0, of the contact that leaves its cone; -1 if no contact leaves its cone.
     pub(super) contact: X,
-    /// The derivative of the margin m with respect to the normal force of each contact. If this array and `tangential` are used as commands of the
-    /// fingers, all derivatives of m follow from the resulting contact forces; see [`Self::probe`].
+    /// The derivative of the margin m with respect to the normal force of each contact. With this array and `tangential` as commands of the fingers,
+    /// the springs are solved a second time ([`Self::probe`]). All derivatives of m follow from the resulting contact forces.
     normal: [X; MOST_SCREENED],
     /// The derivative of the margin m with respect to the tangential force of each contact, one array for each axis.
     tangential: [[X; MOST_SCREENED]; C],
@@ -26,7 +27,7 @@ pub(super) struct LeavingEdge<const C: usize, X: Packed> {
     pub(super) by_friction: [X; MOST_SCREENED],
     /// The derivative of the margin m with respect to the load factor, N.
     pub(super) rate: X,
-    /// Positive if the load factor at first slip, the least over the contacts, has a kink at these data, so that derivatives are one-sided; else
+    /// Positive if the load factor of first slip, the least over the contacts, has a kink at these data, so that derivatives are one-sided; else
     /// zero. There is a kink if several contacts leave their cones together, or if the friction force is zero.
     pub(super) kink: X,
 }

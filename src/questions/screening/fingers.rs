@@ -1,7 +1,7 @@
-//! One grasp, checked and prepared for screening: all that does not depend on the load is computed once. Screening computes the load factor at first
-//! slip, at which the first contact stops sticking. A command is the displacement that a finger would make without the object. A clearance is the gap
-//! between finger and object before the command; it is negative if they overlap. The verdict says why there is no load factor, for example because a
-//! contact does not stick before the load grows.
+//! One grasp, checked and prepared for screening: all that does not depend on the load is computed once. Screening computes the load factor of first
+//! slip, at which the first contact ceases to stick. A command is the displacement that a finger would make if there were no object. A clearance is
+//! the gap between finger and object before the command; it is negative if they overlap. The verdict says why there is no load factor, for example
+//! because a contact does not stick before the load grows.
 
 use super::block::MOST_SCREENED;
 use super::gradient::GradientOf;
@@ -20,8 +20,7 @@ use crate::prelude::*;
 /// A grasp of `N` contacts, two to five, prepared for screening. The contact forces due to the commands and the factorised stiffness are computed
 /// once for all loads.
 ///
-/// `C` is 2 in the plane and 3 in space; see
-/// [`planar::Fingers`](crate::planar::Fingers) and [`spatial::Fingers`](crate::spatial::Fingers).
+/// `C` is 2 in the plane ([`planar::Fingers`](crate::planar::Fingers)) and 3 in space ([`spatial::Fingers`](crate::spatial::Fingers)).
 ///
 /// ```
 /// use grasp_lcp::planar::{Contact, Fingers, Pull, Wrench};
@@ -52,15 +51,15 @@ impl<const C: usize, const N: usize> Fingers<C, N> {
         (Kernels::get().prepare)(contacts).map(|grasp| Self { grasp })
     }
 
-    /// The load factor at which the first contact stops sticking as the load grows, and the contacts that stop sticking at this factor. If screening
-    /// has no factor, the verdict says why.
+    /// The load factor at which the first contact ceases to stick as the load grows, and the contacts that cease to stick at this factor. If
+    /// screening has no factor, the verdict says why.
     #[must_use]
     pub fn onset(&self, pull: &Pull<C>) -> Screened {
         Kernels::get().pull.ask(&self.grasp, pull)
     }
 
-    /// Derivatives of the load factor at first slip with respect to all data of the grasp and the load. There is one gradient for each contact that
-    /// stops sticking at first slip, in rising order of contacts. The list is empty if [`Self::onset`] has no load factor.
+    /// Derivatives of the load factor of first slip with respect to all data of the grasp and the load. There is one gradient for each contact that
+    /// ceases to stick at first slip, in rising order of contacts. The list is empty if [`Self::onset`] has no load factor.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Fingers, Pull, Wrench};
@@ -90,7 +89,7 @@ impl<const C: usize, const N: usize> Fingers<C, N> {
         ScreenedGradients { contacts: N, numbers: gradients }
     }
 
-    /// Derivatives of the load factor at first slip, written into memory that is reused. Afterwards `gradients` holds only the first gradient of
+    /// Derivatives of the load factor of first slip, written into storage that is reused. Afterwards `gradients` holds only the first gradient of
     /// [`Self::onset_gradients`]; it is NaN if there is no load factor. Nothing is allocated if `gradients` held as many numbers before.
     pub fn onset_gradient_into(&self, pull: &Pull<C>, gradients: &mut ScreenedGradients<C>) {
         gradients.contacts = N;

@@ -1,6 +1,6 @@
 //! The load factor at which the first contact force leaves its friction cone, if all contact forces are linear in the load factor. The margin of a
-//! contact is `α F_n - β |F_t|` with the normal force F_n and the friction force F_t, see [`StickingCone`]. While it is positive, the force is inside
-//! the cone and the contact sticks.
+//! contact is `α F_n - β |F_t|` with the normal force F_n and the friction force F_t. For a contact with friction α is the coefficient of friction
+//! and β is 1 ([`StickingCone`] has the values for others). While the margin is positive, the force is inside the cone and the contact sticks.
 
 use super::block::{Block, MOST_POINTS, count};
 use super::cone::{Crossing, StickingCone};
@@ -17,7 +17,7 @@ use crate::numerics::tolerances::SOLVED_ROUNDING;
 struct Exit<X: Packed> {
     /// The load factor at which the contact force leaves its cone: infinite if it never does, [`UNCLEAR`] if the result depends on rounding.
     factor: X,
-    /// The margin `α F_n - β |F_t|` of the contact at load factor zero, N; see [`StickingCone`].
+    /// The margin `α F_n - β |F_t|` of the contact at load factor zero, N.
     margin: X,
     /// Bound of the rounding error of the margin, N.
     rounding: X,
@@ -30,7 +30,7 @@ struct Exit<X: Packed> {
 ///
 /// Let n and t be `α F_n` and `β F_t` with α and β of the [`StickingCone`]. The margin `n - |t|` is concave along the line. For large factors the
 /// margin decreases at the rate `|t'| - n'`. The force leaves the cone only if this rate exceeds its rounding. In the plane the margin is the smaller
-/// of two linear functions. In space its first root solves a quadratic equation, see [`Crossing`].
+/// of two linear functions. In space the factor at which it vanishes is a root of a quadratic equation ([`Crossing`]).
 #[inline(always)]
 fn exit<const C: usize, X: Packed>(
     cone: &StickingCone<X>,
@@ -74,8 +74,8 @@ fn known<X: Packed>(factor: X, closing: X, noise: X) -> X {
     closing.above(noise, factor, X::all(f64::INFINITY))
 }
 
-/// The first slip of the grasps of a block, one grasp in each lane of a SIMD vector. `base` has the contact forces at load factor zero, `rates` the
-/// derivatives of these forces with respect to the load factor.
+/// The load factor of first slip for the grasps of a block, one grasp in each lane of a SIMD vector. `base` has the contact forces at load factor
+/// zero, `rates` the derivatives of these forces with respect to the load factor.
 #[inline(never)]
 pub(super) fn judge<V: Vectors, const C: usize, X: Packed>(
     v: V,
@@ -107,8 +107,8 @@ fn judged<const C: usize, X: Packed>(
         start.add(exit.margin, exit.rounding, exit.lost);
     }
     let until = X::all(1.0 + SOLVED_ROUNDING) * first;
-    // A soft fingertip stops sticking as soon as one of its points does. `until` exceeds the first load factor by rounding, so that all contacts that
-    // stop sticking together are listed.
+    // A soft fingertip ceases to stick as soon as one of its points does. `until` exceeds the least load factor by rounding, so that all contacts
+    // that cease to stick together are listed.
     let (mut leaving, mut leaves, mut finger) = (zero, zero, X::all(1.0));
     for i in 0..contacts {
         leaves = factors[i].above(until, leaves, finger);

@@ -1,19 +1,19 @@
-//! The first slip of one grasp: the load factor at which the first contact stops sticking. If screening has no such load factor, a negative code
-//! replaces it; each code belongs to a verdict. Screening computes first slips for many grasps. The base load acts at load factor 0.
+//! The load factor of first slip of one grasp, at which the first contact ceases to stick. If screening has no such load factor, a negative code
+//! replaces it; each code belongs to a verdict. Screening computes such load factors for many grasps. The base load acts at load factor 0.
 
 use core::fmt;
 
 use super::block::MOST_POINTS;
 use crate::prelude::*;
 
-/// The first slip of one grasp, or a code if there is no first slip. It is stored as two numbers, so that screening can select among answers without
-/// a branch.
+/// The load factor of first slip of one grasp, or a code if there is none. It is stored as two numbers, so that screening can select among answers
+/// without a branch.
 #[derive(Clone, Copy, PartialEq)]
 pub(super) struct SlipCode {
-    /// The load factor at first slip, infinite if no contact ever stops sticking, or one of the negative codes of this file, such as
+    /// The load factor of first slip, infinite if no contact ever ceases to stick, or one of the negative codes of this file, such as
     /// [`NOT_STICKING`].
     pub(super) code: f64,
-    /// Sum of 2^i over the contacts i that stop sticking at the load factor of first slip. A soft fingertip is one contact.
+    /// Sum of 2^i over the contacts i that cease to stick at the load factor of first slip. A soft fingertip is one contact.
     pub(super) leaving: f64,
 }
 
@@ -28,11 +28,11 @@ pub(super) const UNCLEAR: f64 = -3.0;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum ScreeningVerdict {
-    /// Contacts stop sticking, at the [factor](crate::screening::Screened::factor): they slide or open.
+    /// Contacts cease to stick, at the [factor](crate::screening::Screened::factor): they slide or open.
     Leaves,
-    /// However large the load grows, no contact stops sticking.
+    /// However large the load grows, no contact ceases to stick.
     Never,
-    /// Not every contact sticks at load factor zero: a contact would slide or be open, or there may be no equilibrium.
+    /// Not every contact sticks at load factor zero: a contact slides or is open, or there is no equilibrium.
     /// [`Grasp::onset`](crate::ask::Grasp::onset) finds out which of these is true.
     NotSticking,
     /// The base load or the growing load does positive work along a motion that no contact resists.
@@ -40,7 +40,7 @@ pub enum ScreeningVerdict {
     /// Screening has no answer, because of rounding or missing friction. [`Grasp::onset`](crate::ask::Grasp::onset) may have an answer. The reasons
     /// are:
     ///
-    /// * A contact is within rounding of the edge of its cone at load factor zero.
+    /// * A contact force is within rounding of the boundary of its friction cone at load factor zero.
     /// * A margin decreases so slowly that rounding would show in the load factor.
     /// * Two contacts in the plane do not hold the object because friction is missing.
     /// * Forces or stiffnesses are so large or small that squares overflow or lose digits.
@@ -48,7 +48,7 @@ pub enum ScreeningVerdict {
 }
 
 impl SlipCode {
-    /// The value that fills the memory for answers before they are computed: the code [`UNCLEAR`] and no contact.
+    /// The value that fills the storage of answers before they are computed: the code [`UNCLEAR`] and no contact.
     pub(super) const UNKNOWN: Self = Self { code: UNCLEAR, leaving: 0.0 };
 
     pub(super) fn verdict(self) -> ScreeningVerdict {

@@ -1,11 +1,12 @@
-//! Derivatives of the load factor at first slip with respect to all data of a grasp.
+//! Derivatives of the load factor of first slip with respect to all data of a grasp.
 //!
-//! At the load factor τ of first slip a contact leaves its cone, i.e. stops sticking. Its margin m, the distance of its force from the edge of the
-//! cone, is then zero. Therefore `dτ = -dm / m'`, with m' the derivative of m with respect to τ. Let g = ∂m/∂F be the derivative of m with respect to
-//! the force of that contact. The equilibrium of the springs is computed once more, with g as the command of its finger (the displacement without the
-//! object) and nothing else. All derivatives follow from the forces P and the motion (v, ω̄) of the object in that second solution. F and (u, ω) are
-//! the contact force and the motion at first slip. Of each motion, u or v is the displacement at the contact, ω or ω̄ the rotation. Subscripts n and
-//! t mean normal and tangential, k is a stiffness. The derivatives with respect to the data of each contact are
+//! At the load factor τ of first slip a contact leaves its cone, i.e. ceases to stick. Its margin m, the distance of its force from the boundary of
+//! the cone, is then zero. Therefore `dτ = -dm / m'`, with m' the derivative of m with respect to τ. Let g = ∂m/∂F be the derivative of m with
+//! respect to the force of that contact. The equilibrium of the springs is computed once more, with g as the command of its finger (the displacement
+//! that it would make if there were no object) and nothing else. All derivatives follow from the forces P and the motion (v, ω̄) of the object in
+//! that second solution. F and (u, ω) are the contact force and the motion at first slip. Of each motion, u or v is the displacement at the contact,
+//! ω or ω̄ the rotation. Subscripts n and t mean normal and tangential, k is a stiffness. The derivatives with respect to the data of each contact
+//! are
 //!
 //! ```text
 //! ∂m/∂a = P                          command                 ∂m/∂p = ω̄ × F + ω × P        point
@@ -29,7 +30,7 @@ use super::screened::Screened;
 use super::springs::Cause;
 use crate::numerics::Vectors;
 
-/// A question that screening answers: what are the derivatives, with respect to all data, of the load factor at first slip under the growing load
+/// A question that screening answers: what are the derivatives, with respect to all data, of the load factor of first slip under the growing load
 /// `pull`?
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct GradientOf<const C: usize> {

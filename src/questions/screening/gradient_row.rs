@@ -1,8 +1,8 @@
-//! The derivatives of the load factor at first slip with respect to all data of a grasp and the load, as a row of numbers. A contact leaves its cone,
-//! i.e. stops sticking, when its margin `α F_n - β |F_t|` vanishes. With friction α is the coefficient of friction and β = 1; for a contact that can
-//! only open α = 1 and β = 0. A command is the displacement that a finger would make without the object. The springs are solved a second time without
-//! a load. In this second solution only the contact that leaves its cone has a command: the derivative of its margin with respect to its force. All
-//! derivatives follow from the second solution by the formulas of [`super::gradient`].
+//! The derivatives of the load factor of first slip with respect to all data of a grasp and the load, as a row of numbers. A contact leaves its cone,
+//! i.e. ceases to stick, when its margin `α F_n - β |F_t|` vanishes. With friction α is the coefficient of friction and β = 1; for a contact that can
+//! only open α = 1 and β = 0. A command is the displacement that a finger would make if there were no object. The springs are solved a second time
+//! without a load. In this second solution only the contact that leaves its cone has a command: the derivative of its margin with respect to its
+//! force. All derivatives follow from the second solution by the formulas of [`super::gradient`].
 
 use super::answer_slots::AnswerSlots;
 use super::block::{Block, Layout, MOST_SCREENED, count, entries};
@@ -14,10 +14,10 @@ use super::method::Method;
 use super::moved::{ObjectMotion, worked};
 use super::screened::Screened;
 
-/// The layout of a gradient as a row of numbers. Number 0 is the load factor or, without a first slip, a code for the reason. Number 1 is the sum of
-/// 2^i over the contacts i that leave their cones. Number 2 is the index, from 0, of the contact whose margin is differentiated. Number 3 is positive
-/// if the load factor has a kink at these data, so that derivatives are one-sided. The derivatives with respect to points, normals, commands,
-/// stiffness and friction follow, each contact by contact. The derivatives with respect to the load come last.
+/// The layout of a gradient as a row of numbers. Number 0 is the load factor of first slip or, if there is none, a code for the reason. Number 1 is
+/// the sum of 2^i over the contacts i that leave their cones. Number 2 is the index, from 0, of the contact whose margin is differentiated. Number 3
+/// is positive if the load factor has a kink at these data, so that derivatives are one-sided. The derivatives with respect to points, normals,
+/// commands, stiffness and friction follow, each contact by contact. The derivatives with respect to the load come last.
 pub(super) struct GradientRow<const C: usize>;
 
 impl<const C: usize> GradientRow<C> {
@@ -50,16 +50,15 @@ impl<const C: usize> GradientRow<C> {
 /// The number of entries of the longest [`GradientRow`], for five contacts in space.
 const LONGEST_ROW: usize = GradientRow::<3>::numbers(MOST_SCREENED);
 
-/// The contact forces and the motions of the object from which the derivatives of the load factor at first slip are computed. The formulas are in
+/// The contact forces and the motions of the object from which the derivatives of the load factor of first slip are computed. The formulas are in
 /// [`super::gradient`].
 pub(super) struct Slopes<'a, const C: usize, X: Packed> {
     pub(super) method: Method,
     pub(super) edge: &'a LeavingEdge<C, X>,
-    /// The contact forces F at first slip, and the contact forces P of the second solution (with the derivatives of the margin as commands), see
-    /// [`super::gradient`].
+    /// The contact forces F at first slip, and the contact forces P of the second solution, whose commands are the derivatives of the margin.
     pub(super) forces: [&'a AnyForces<C, X>; 2],
-    /// The displacement and rotation of the object: (u, ω) at first slip, and (v, ω̄) in the second solution (with the derivatives of the margin as
-    /// commands), see [`super::gradient`].
+    /// The displacement and rotation of the object: (u, ω) at first slip, and (v, ω̄) in the second solution, whose commands are the derivatives of
+    /// the margin.
     pub(super) motions: [&'a ObjectMotion<C, X>; 2],
     pub(super) first: X::Each<Screened>,
 }
@@ -77,8 +76,7 @@ impl<const C: usize, X: Packed> Slopes<'_, C, X> {
             self.contact(block, i, scale, &mut row);
             row[GradientRow::<C>::friction(contacts) + i] = scale * by_friction[i];
         }
-        // The object's motion (v, ω̄) in the second solution (see [`super::gradient`]) is converted to its motion at the origin, to which moments of
-        // loads refer.
+        // The object's motion (v, ω̄) in the second solution is converted to its motion at the origin, to which moments of loads refer.
         let virtually = self.motions[1];
         let mut turn = [X::all(0.0); C];
         turn.copy_from_slice(&virtually.turn[..C]);

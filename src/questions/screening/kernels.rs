@@ -1,4 +1,4 @@
-//! The functions ("kernels") that answer the questions of screening, such as the load factor at which the first contact stops sticking. They are
+//! The functions ("kernels") that answer the questions of screening, such as the load factor at which the first contact ceases to stick. They are
 //! compiled once for the plane and once for space, in this crate.
 //!
 //! In a program that links the library the number of axes is a type parameter. Functions with such a parameter would be compiled again in every such

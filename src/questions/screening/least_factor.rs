@@ -1,13 +1,13 @@
-//! The least factor of the commands with which all contacts of a grasp stick under each load of a list, for several grasps, one in each lane of a
-//! SIMD vector. A command is the displacement that a finger would make without the object.
+//! The least factor on the commands with which all contacts of a grasp stick under each load of a list, for several grasps, one in each lane of a
+//! SIMD vector. A command is the displacement that a finger would make if there were no object. A clearance is the gap before the command.
 //!
 //! Under a load and with the commands multiplied by s the force of a contact is `F + s F'`. Here F is due to the load and the clearances, F' to the
 //! commands. As s grows, this force moves along a straight line, the line of forces. A contact sticks while its margin `n - |t|` is not negative,
-//! with `n = α F_n` and `t = β F_t`. For a contact with friction α is the coefficient of friction and β is 1 (other contacts: see [`StickingCone`]).
-//! The margin is concave in s. Therefore it is not negative in an interval of factors s, which may be empty. At the lower end of the interval the
-//! force enters the friction cone, at the upper end it leaves the cone. The answer is the least s >= 0 that lies in the intervals of all contacts and
-//! loads. In the plane a margin is the smaller of two linear functions of s; in space both ends are roots of one quadratic equation, see
-//! [`Crossing`].
+//! with `n = α F_n` and `t = β F_t`. For a contact with friction α is the coefficient of friction and β is 1 ([`StickingCone`] has the values for
+//! others). The margin is concave in s. Therefore it is not negative in an interval of factors s, which may be empty. At the lower end of the
+//! interval the force enters the friction cone, at the upper end it leaves the cone. The answer is the least s >= 0 that lies in the intervals of all
+//! contacts and loads. In the plane a margin is the smaller of two linear functions of s. In space both ends are roots of one quadratic equation
+//! ([`Crossing`]).
 
 use super::block::count;
 use super::cone::{Crossing, StickingCone};
@@ -230,7 +230,7 @@ impl<X: Packed> LeastFactor<X> {
     }
 
     /// Makes the answer unclear if one of the numbers `sizes`, such as the ends of an interval, is negative or NaN. The other comparisons in this
-    /// file would ignore NaN.
+    /// file ignore NaN.
     #[inline(always)]
     fn require_valid<const K: usize>(&mut self, sizes: [X; K]) {
         for size in sizes {

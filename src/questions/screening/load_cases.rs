@@ -1,5 +1,5 @@
-//! A list of loads. All contacts of a grasp must stick under each load, one load at a time. Screening finds the least common factor of the commands
-//! with which all contacts stick. A command is the displacement that a finger would make without the object.
+//! A list of loads. All contacts of a grasp must stick under each load, one load at a time. Screening finds the least common factor on the commands
+//! with which all contacts stick. A command is the displacement that a finger would make if there were no object.
 
 use super::answer_slots::AnswerSlots;
 use super::lanes::Packed;

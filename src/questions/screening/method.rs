@@ -1,9 +1,10 @@
 //! Two methods for the contact forces of a grasp. [`Method::Edges`] has forces along the lines between contacts as unknowns, [`Method::Motions`] the
-//! motion of the object. For three contacts in space this file chooses between the two. The lines are then the edges of the triangle of contacts.
+//! motion of the object. For three contacts in space this file chooses between the two. The lines are then the sides of the triangle of contacts; in
+//! the code they are edges.
 //!
-//! `Edges` starts from some contact forces that balance the load. It adds forces along the edges so that displacements agree with the compliances.
-//! In a slim triangle the starting forces are larger than the resulting contact forces, which costs digits. If compliances differ much, the force of
-//! a soft contact is a small difference of large forces. For such triangles `Motions` is chosen, and also for contacts without friction, whose
+//! `Edges` starts from some contact forces that balance the load. It adds forces along the lines so that displacements agree with the compliances. In
+//! a slim triangle the starting forces are larger than the resulting contact forces, which costs digits. If compliances differ much, the force of a
+//! soft contact is a small difference of large forces. For such triangles `Motions` is chosen, and also for contacts without friction, whose
 //! tangential compliance is infinite.
 //!
 //! The choice is made once, when a grasp is prepared. A block holds the data of several grasps, which are computed together, one grasp in each lane
@@ -51,8 +52,8 @@ pub(super) fn is_a_triangle<const C: usize, X: Packed>(block: &Block<'_, C, X>) 
 }
 
 /// Chooses the method for three contacts in space. If it is [`Method::Edges`], this function replaces the stiffnesses in `grasp` by compliances. It
-/// also writes the [`TermSizes`], to which the rounding errors of contact forces are proportional. [`TermSizes::force`] is above zero if and only if
-/// `Edges` is chosen.
+/// also writes the [`TermSizes`]: bounds on the terms that add up to contact forces, to which the rounding errors of these forces are proportional.
+/// [`TermSizes::force`] is above zero if and only if `Edges` is chosen.
 pub(super) fn to_compliances<const C: usize>(grasp: &mut AnyGraspData<C>) {
     let stiff = grasp.block().springs().each(|row| [row[0], row[1], row[2]]);
     let (mut least, mut most) = (f64::INFINITY, 0.0_f64);
@@ -85,9 +86,9 @@ fn sizes<const C: usize>(grasp: &Block<'_, C, f64>) -> TermSizes<f64> {
     triangle.ready(grasp);
     let length = triangle.edge.each(|edge| edge.iter().map(|x| x * x).sum::<f64>().sqrt());
     let [c_n, c_t] = grasp.springs();
-    // Let P be the starting contact forces, which balance the load without forces along edges, scaled to size one. The resulting contact forces are
-    // `P - N A⁻¹ Nᵀ C P`. Here N maps forces along edges to contact forces, C are the compliances, and `A = Nᵀ C N`. The absolute values of the terms
-    // of a contact force add up to at most `gives`, `1 + |N| |A⁻¹| |Nᵀ| C`.
+    // Let P be the starting contact forces, which balance the load without forces along the lines, scaled to magnitude one. The resulting contact
+    // forces are `P - N A⁻¹ Nᵀ C P`. Here N maps forces along the lines to contact forces, C are the compliances, and `A = Nᵀ C N`. The magnitudes of
+    // the terms of a contact force add up to at most `gives`, `1 + |N| |A⁻¹| |Nᵀ| C`.
     let mut gives = 1.0;
     for k in 0..N {
         let mut unit = [0.0; N];

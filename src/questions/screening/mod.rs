@@ -1,10 +1,11 @@
-//! Screening: the load at which the first contact stops sticking, for millions of grasps of two to five contacts.
+//! Screening: the load factor of first slip, at which the first contact ceases to stick, for millions of grasps of two to five contacts.
 //!
-//! Planners ask for this load most often. Screening answers without allocating and almost without branches. It computes the contact forces as if
-//! every contact stuck, at load factor zero and per unit of load factor. A ratio test on the exact friction cone then finds the first load factor at
-//! which a contact stops sticking. In the formulas W is the load, τ the load factor, a the commands (displacements that the fingers would make
-//! without the object), and s the factor on the given commands. F_i is the force of contact i. In the first formula F_i⁰ is its value under the base
-//! load W₀ and F_i' its rate. In the second formula F_iᵃ is due to the commands alone, and F_iᵂ to the load and the clearances alone.
+//! Planners ask for this load factor most often. Screening answers without allocating and almost without branches. It computes the contact forces as
+//! if every contact stuck, at load factor zero and per unit of load factor. A ratio test on the exact friction cone then finds the least load factor
+//! at which a contact ceases to stick. In the formulas W is the load, τ the load factor (multiple of the growing load), a the commands (displacements
+//! that the fingers would make if there were no object), and s the factor on the given commands. F_i is the force of contact i. In the first formula
+//! F_i⁰ is its value under the base load W₀ and F_i' its rate. In the second formula F_iᵃ is due to the commands alone, and F_iᵂ to the load and the
+//! clearances (gaps between fingers and object before the commands) alone.
 //!
 //! | question | type | answer | method for unclear cases |
 //! |---|---|---|---|
@@ -16,21 +17,23 @@
 //! F_i(s) = s F_iᵃ + F_iᵂ               a = s times the given commands     squeeze: the least s >= 0 with |F_t| <= μ F_n at every contact
 //! ```
 //!
-//! Derivatives of the load factor at first slip with respect to all data of a grasp are [`ScreenedGradients`]. All derivatives together take as long
-//! as a few load factors. One grasp: [`Fingers::onset_gradients`]. Many: [`sweep::onset_gradients_of_batch`](crate::sweep::onset_gradients_of_batch).
+//! [`ScreenedGradients`] are the derivatives of the load factor of first slip with respect to all data of a grasp. All derivatives together take as
+//! long as a few load factors. One grasp: [`Fingers::onset_gradients`]. Many:
+//! [`sweep::onset_gradients_of_batch`](crate::sweep::onset_gradients_of_batch).
 //!
-//! In a control loop [`Fingers::watch`] takes measured contact forces. It returns their margins, the first slip under a load to come, and the extra
-//! squeeze that this load needs.
+//! In a control loop [`Fingers::watch`] takes measured contact forces. It returns their margins, the load factor of first slip under a load to come,
+//! and the relative increase of all commands that this load needs.
 //!
-//! [`Grasp::onset`] and the other method of the table agree with screening if every contact sticks at load factor zero, and no numbers are so large
-//! or small that their products over- or underflow. Otherwise the verdict of screening says why there is no number ([`ScreeningVerdict`],
-//! [`SqueezeVerdict`]). Screening does not follow the grasp beyond the first slip.
+//! [`Grasp::onset`] and [`Grasp::least_squeeze`] agree with screening if every contact sticks at load factor zero, and no numbers are so large or
+//! small that their products over- or underflow. Otherwise the verdict of screening says why there is no number ([`ScreeningVerdict`],
+//! [`SqueezeVerdict`]). Screening does not follow the grasp beyond first slip.
 //!
 //! One grasp at a time: [`Fingers`]. Many grasps under common loads: [`Batch`]; with soft fingertips or more than five contacts: [`PointBatch`]. On
-//! all cores: [`sweep::onsets_of_batch`](crate::sweep::onsets_of_batch) and [`sweep::least_squeezes_of_batch`](crate::sweep::least_squeezes_of_batch).
+//! all cores: [`sweep::onsets_of_batch`](crate::sweep::onsets_of_batch) and
+//! [`sweep::least_squeezes_of_batch`](crate::sweep::least_squeezes_of_batch).
 //!
-//! A *lane* is the index of a grasp in a vector register, and a *block* as many grasps as there are lanes. A contact *leaves*
-//! (its friction cone) when it stops sticking.
+//! A *lane* is the index of a grasp in a vector register, and a *block* as many grasps as there are lanes. A contact *leaves* (its friction cone)
+//! when it ceases to stick.
 //!
 //! [`Grasp::onset`]: crate::ask::Grasp::onset
 //! [`Grasp::least_squeeze`]: crate::ask::Grasp::least_squeeze

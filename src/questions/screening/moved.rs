@@ -1,8 +1,8 @@
 //! Displacements of the object at its contacts while every contact sticks, computed from contact forces and compliances.
 //!
 //! The springs give the displacement of the object at each contact, `u = a - C F`. Here a is the command (the displacement that the finger would make
-//! without the object), C the compliance and F the force. Displacements at both ends of an edge e between contacts differ by `ω × e`, from which the
-//! rotation ω follows.
+//! if there were no object), C the compliance and F the force. Displacements at both ends of a line e between contacts differ by `ω × e`, from which
+//! the rotation ω follows.
 
 use super::block::{Block, Commanded, MOST_SCREENED, entries};
 use super::finger::{Force, world};
@@ -52,9 +52,9 @@ impl<const C: usize, X: Packed> ObjectMotion<C, X> {
         );
     }
 
-    /// Computes the motion of an object held by three contacts in space. Two edges e₁ and e₂ of the triangle of contacts have the normal vector m =
-    /// e₁ × e₂. The displacements at the ends of these edges differ by d₁ and d₂. The rotation is `ω = (m·d₂ e₁ - m·d₁ e₂ + ½ (e₂·d₁ - e₁·d₂) m) /
-    /// |m|²`.
+    /// Computes the motion of an object held by three contacts in space. Two edges e₁ and e₂ of the triangle of contacts have the normal vector
+    /// `m = e₁ × e₂`. The displacements at the ends of these edges differ by d₁ and d₂. The rotation is
+    /// `ω = (m·d₂ e₁ - m·d₁ e₂ + ½ (e₂·d₁ - e₁·d₂) m) / |m|²`.
     #[inline(never)]
     pub(super) fn of_a_triangle<V: Vectors>(
         &mut self,

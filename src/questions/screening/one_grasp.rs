@@ -1,6 +1,6 @@
 //! One grasp with all that screening computes before a load is known: its data, the numbers that follow from its springs alone, and the contact
-//! forces due to its commands. Screening computes, for many grasps, the load factor at which the first contact stops sticking (first slip). A command
-//! is the displacement that a finger would make without the object.
+//! forces due to its commands. Screening computes, for many grasps, the load factor of first slip, at which the first contact ceases to stick. A
+//! command is the displacement that a finger would make if there were no object.
 
 use nalgebra::SMatrix;
 
@@ -54,8 +54,8 @@ impl<const C: usize> OneGrasp<C> {
         question.ask(&prepared, [&mut a, &mut b, &mut c], &mut slots);
     }
 
-    /// The distances of measured contact forces of this grasp from the edges of their friction cones, and the first slip as a further load grows.
-    /// `measured` holds these forces and the load.
+    /// The distances of measured contact forces of this grasp from the boundaries of their friction cones, and the load factor of first slip as a
+    /// further load grows. `measured` holds these forces and the load.
     pub(super) fn watch(&self, measured: &Measured<'_, C>) -> Watched {
         let mut watched = [Watched::UNKNOWN];
         self.ask(measured, &mut watched);

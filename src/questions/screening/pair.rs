@@ -8,8 +8,8 @@
 //! F_i = λ p_i + s p_i⊥ - W_f / 2,   s = (W_m - m × W_f) / |p|²
 //! ```
 //!
-//! The distance of the contact points on the object stays constant, which fixes λ for the commands a_i (displacements that the fingers would make
-//! without the object):
+//! The distance of the contact points on the object stays constant, which fixes λ for the commands a_i (displacements that the fingers would make if
+//! there were no object):
 //!
 //! ```text
 //! Σ p_i·(a_i - C_i F_i) = 0
@@ -60,8 +60,8 @@ pub(super) fn to_compliances<const C: usize>(grasp: &mut AnyGraspData<C>) {
     grasp.measure(&sizes);
 }
 
-/// Bounds on the sums of the absolute values of the terms that add up to a contact force, for a pair whose springs are stored as compliances. The
-/// rounding error of a contact force is proportional to these sums.
+/// Bounds on the sums of the magnitudes of the terms that add up to a contact force, for a pair whose springs are stored as compliances. The rounding
+/// error of a contact force is proportional to these sums.
 fn sizes<const C: usize>(grasp: &Block<'_, C, f64>) -> TermSizes<f64> {
     let pair = Pair::new(grasp);
     let [x, y] = [0, 1].each(|axis| grasp.points()[axis][1] - grasp.points()[axis][0]);
@@ -94,10 +94,10 @@ pub(super) struct Pair<X: Packed> {
     v: [X; 2],
     one_over_give: X,
     one_over_square: X,
-    /// The increase of the distance |p| between the contacts due to the forces `p_i⊥` (p_i turned counterclockwise by a quarter turn), times |p|: `Σ
-    /// p_i·C_i p_i⊥`.
+    /// The increase of the distance |p| between the contacts due to the forces `p_i⊥` (p_i turned counterclockwise by a quarter turn), times |p|:
+    /// `Σ p_i·C_i p_i⊥`.
     sheared: X,
-    /// The decrease of the distance |p| that the commands a_i would cause without the object, times |p|: `Σ p_i·a_i`, m².
+    /// The decrease of the distance |p| that the commands a_i would cause if there were no object, times |p|: `Σ p_i·a_i`, m².
     commanded: X,
     sizes: TermSizes<X>,
 }
@@ -142,8 +142,8 @@ impl<X: Packed> Pair<X> {
         }
     }
 
-    /// A bound, N, on the sum of the absolute values of the terms that add up to a contact force due to the commands `asked`. `length` is the
-    /// distance between the contacts, m, or a bound of it. The rounding error of the force is proportional to this sum.
+    /// A bound, N, on the sum of the magnitudes of the terms that add up to a contact force due to the commands `asked`. `length` is the distance
+    /// between the contacts, m, or a bound of it. The rounding error of the force is proportional to this sum.
     #[inline(always)]
     fn size_of<const C: usize>(&self, length: X, asked: &Commanded<'_, C, X>) -> X {
         let mut commands = X::all(0.0);

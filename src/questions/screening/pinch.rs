@@ -1,8 +1,8 @@
 //! Two contacts in space do not resist the rotation about the line between them. This file exchanges coordinates of the object so that the pivot of
 //! this rotation is the last one when the stiffness matrix is factorised.
 //!
-//! That pivot vanishes up to rounding. If the rotation about the coordinate axis nearest to the line comes last, no other pivot is small. Thus
-//! rounding does not determine which motion is taken as without resistance.
+//! That pivot vanishes up to rounding. If the rotation about the coordinate axis nearest to the line comes last, no other pivot is small. Thus not
+//! rounding but the geometry determines which motion is taken as without resistance.
 
 use super::lanes::Packed;
 use crate::numerics::Each;

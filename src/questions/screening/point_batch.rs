@@ -1,5 +1,5 @@
-//! Many grasps with the same number of contact points, up to 64. Screening computes the load factor at which the first contact of each grasp stops
-//! sticking (first slip). A block holds as many grasps as a SIMD vector has numbers (lanes).
+//! Many grasps with the same number of contact points, up to 64. Screening computes, for each grasp, the load factor of first slip, at which its
+//! first contact ceases to stick. A block holds as many grasps as a SIMD vector has numbers (lanes).
 
 use super::batch_part::BatchPart;
 use super::block::{AnyGraspData, Block, Layout, MOST_POINTS, WideGraspData};
@@ -16,7 +16,7 @@ use crate::prelude::*;
 
 /// Many grasps for screening, all with the same number of contact points, two to 64, which is known only at run time.
 ///
-/// The points of a [soft fingertip](crate::grasp::SoftFingertip) are contacts of one finger, which stops sticking as soon as one of its points does.
+/// The points of a [soft fingertip](crate::grasp::SoftFingertip) are contacts of one finger, which ceases to stick as soon as one of its points does.
 /// All grasps have the same number of fingers, with the same number of points each. The answers equal the answers of [`Batch`](super::Batch) bit for
 /// bit.
 ///
@@ -48,12 +48,12 @@ pub struct PointBatch<const C: usize> {
     numbers: Vec<Lanes>,
     commands_and_clearances: Vec<Lanes>,
     len: usize,
-    /// Memory for the data of one grasp before they are appended to the batch; `None` before the first [`Self::push`].
+    /// Storage of the data of one grasp before they are appended to the batch, reused by each [`Self::push`]; `None` before the first of them.
     grasp: Option<Box<WideGraspData<C>>>,
 }
 
 impl<const C: usize> PointBatch<C> {
-    /// An empty batch for grasps with this many points each, with memory for `grasps` grasps.
+    /// An empty batch for grasps with this many points each, with storage allocated for `grasps` grasps.
     #[must_use]
     pub fn with_capacity(points: usize, grasps: usize) -> Self {
         let blocks = grasps.div_ceil(LANES);
@@ -75,8 +75,8 @@ impl<const C: usize> PointBatch<C> {
     }
 
     /// Appends a grasp. Its index in the batch is also the index of its answers. Returns `false`, and appends nothing, if contacts are malformed, or
-    /// not supported by screening (see [`Fingers::new`](super::Fingers::new)), or do not fit the batch: another number of points, or other fingers.
-    /// For such contacts use [`Grasp`](crate::ask::Grasp), which also names the fault.
+    /// if [`Fingers::new`](super::Fingers::new) refuses such contacts. The same if they do not fit the batch: another number of points, or other
+    /// fingers. For such contacts use [`Grasp`](crate::ask::Grasp), which also names the fault.
     pub fn push(&mut self, contacts: &[Contact<C>]) -> bool {
         if contacts.len() != self.contacts || !(2..=MOST_POINTS).contains(&contacts.len()) {
             return false;
@@ -96,13 +96,13 @@ impl<const C: usize> PointBatch<C> {
         is_written && fits
     }
 
-    /// The load factor at first slip of every grasp under each of the growing loads, on one thread. Answers are ordered as in
-    /// [`Batch::onsets_into`](super::Batch::onsets_into).
+    /// The load factor of first slip of every grasp under each of the growing loads `pulls`, on one thread. The answer of grasp g under the load p is
+    /// at `g * pulls.len() + p`.
     pub fn onsets_into(&self, pulls: &[Pull<C>], answers: &mut Vec<Screened>) {
         self.parts(pulls, self.len, answers).for_each(Kernels::get().pull.many);
     }
 
-    /// The load factor at first slip of each grasp under its own growing load, on one thread. `pulls` has one load for each grasp; if their number
+    /// The load factor of first slip of each grasp under its own growing load, on one thread. `pulls` has one load for each grasp; if their number
     /// differs, the result is empty.
     #[must_use]
     pub fn own_onsets(&self, pulls: Vec<Pull<C>>) -> Vec<Screened> {
@@ -139,17 +139,17 @@ impl<const C: usize> PointBatch<C> {
         self.len += 1;
     }
 
-    /// Divides the batch into parts of at most `blocks` blocks, each with the questions and the memory for its answers.
+    /// Divides the batch into parts of at most `blocks` blocks, each with the questions and the storage of its answers.
     pub(super) fn parts<'a, Q: ScreeningQuestion<C>>(
         &'a self,
         questions: &'a [Q],
         blocks: usize,
         answers: &'a mut Vec<Q::Answer>,
     ) -> impl Iterator<Item = BatchPart<'a, C, Q>> {
-        // The kernels, the functions that compute the answers of a block, write every answer. Old answers in reused memory thus need not be cleared.
+        // The kernels, the functions that compute the answers of a block, write every answer. Old answers in reused storage thus need not be cleared.
         let of_grasp = questions.len() * Q::answers(self.contacts);
         answers.resize(self.len * of_grasp, Q::UNKNOWN);
-        // A batch of grasps without contacts has no blocks. Each size is then set to one, since the length of chunks must not be zero.
+        // A batch of grasps without contacts has no blocks. Each length is then set to one, since the length of chunks must not be zero.
         let (blocks, numbers, commands_and_clearances) =
             (blocks.max(1), Layout::<C>::numbers(self.contacts), (2 * self.contacts).max(1));
         let slots = answers.chunks_mut((blocks * LANES * of_grasp).max(1));

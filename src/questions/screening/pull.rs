@@ -1,5 +1,5 @@
-//! A load that grows from a base load, as a question of screening, which answers the same question for many grasps at once: at which load factor does
-//! the first contact stop sticking?
+//! A load that grows from a base load, as a question of screening, which answers it for many grasps at once: at which load factor does the first
+//! contact cease to stick?
 
 use super::answer_slots::AnswerSlots;
 use super::first_exit::judge;

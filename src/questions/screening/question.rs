@@ -1,6 +1,6 @@
-//! A question of screening, and the block of grasps for which it is answered. An example is the first slip: at which load factor does the first
-//! contact stop sticking? A block holds as many grasps as a SIMD vector has numbers (lanes). A command is the displacement that a finger would make
-//! without the object. A clearance is the gap between finger and object before the command; it is negative if they overlap.
+//! A question of screening, and the block of grasps for which it is answered. An example is: at which load factor does the first contact cease to
+//! stick? A block holds as many grasps as a SIMD vector has numbers (lanes). A command is the displacement that a finger would make if there were no
+//! object. A clearance is the gap between finger and object before the command; it is negative if they overlap.
 
 use super::answer_slots::AnswerSlots;
 use super::block::{Block, Commanded, MOST_SCREENED};
@@ -13,7 +13,8 @@ use crate::grasp::Wrench;
 use crate::numerics::Vectors;
 
 /// The grasps of a block, one in each lane, with everything that does not depend on the question already computed: the springs' response to loads
-/// (`ready`) and the forces of the squeeze (`squeezed`). Both are borrowed, because they are too large to be copied for every block.
+/// (`ready`), and the contact forces under commands and clearances without a load (`squeezed`). Both are borrowed: they are large, and every question
+/// reads them.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct PreparedBlock<'a, V, const C: usize, X: Packed> {
     pub(super) vectors: V,
@@ -25,13 +26,13 @@ pub(crate) struct PreparedBlock<'a, V, const C: usize, X: Packed> {
     pub(super) squeezed: &'a AnyForces<C, X>,
 }
 
-/// Working memory for three sets of contact forces that a question needs, created once for all blocks.
+/// Scratch buffers for three sets of contact forces that a question needs, created once for all blocks.
 pub(crate) type WorkingForces<'a, const C: usize, X> = [&'a mut AnyForces<C, X>; 3];
 
-/// A question of screening, such as the first slip under a load, which is answered for every grasp of a batch.
+/// A question of screening, such as the load factor of first slip under a load, which is answered for every grasp of a batch.
 pub(crate) trait ScreeningQuestion<const C: usize>: Sync + Sized {
     type Answer: Copy + Send;
-    /// The value that fills the memory for answers before they are computed.
+    /// The value that fills the storage of answers before they are computed.
     const UNKNOWN: Self::Answer;
     /// The number of entries of type `Answer` that answer the question for a grasp with `contacts` contacts; they are stored side by side.
     fn answers(_contacts: usize) -> usize {
@@ -72,8 +73,8 @@ impl<V: Vectors, const C: usize, X: Packed> PreparedBlock<'_, V, C, X> {
     }
 
     /// Computes the contact forces that the commands alone cause, and the contact forces that the clearances alone cause. The bound of the rounding
-    /// error of each force is [`ZERO_SLACK`] (5e-14) times the sum of the magnitudes of its terms, as for forces due to loads. Other methods give
-    /// forces due to commands a wider bound, [`ON_THE_EDGE`] (1e-12) times this sum.
+    /// error of each force is [`ZERO_SLACK`] (5e-14) times the sum of the magnitudes of its terms, which is also the bound for forces due to loads.
+    /// Other methods give forces due to commands a wider bound, [`ON_THE_EDGE`] (1e-12) times this sum.
     #[inline(always)]
     pub(super) fn apart(&self, [commands, clearances]: [&mut AnyForces<C, X>; 2]) {
         let [commanded, clearance] = self.block.commands_and_clearances();
@@ -83,8 +84,7 @@ impl<V: Vectors, const C: usize, X: Packed> PreparedBlock<'_, V, C, X> {
             largest = largest.max(clearance.abs());
             *overlap = -*clearance;
         }
-        // Without clearances the forces due to commands are copied from `squeezed`, the forces without a load, so that these forces are equal to the
-        // last bit.
+        // Without clearances the forces due to commands are copied from `squeezed`, the forces without a load. Thus both are equal to the last bit.
         commands.copy_from(self.squeezed);
         clearances.clear();
         if !largest.is_all(0.0) {
@@ -95,7 +95,7 @@ impl<V: Vectors, const C: usize, X: Packed> PreparedBlock<'_, V, C, X> {
             squeeze(commanded, self.block.commands().sheared, commands);
             squeeze(&overlaps[..contacts], [&[X::all(0.0); MOST_SCREENED][..contacts]; C], clearances);
             // `free` is positive if the load or spring forces do work along a motion that no contact resists. Clearances only stretch springs, whose
-            // forces do no such work. Without this line, rounding of forces that cancel each other could make `free` positive.
+            // forces do no such work. Rounding of forces that cancel each other could make `free` positive, so it is set to zero.
             clearances.free = X::all(0.0);
         }
         for forces in [commands, clearances] {

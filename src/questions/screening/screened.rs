@@ -1,22 +1,22 @@
-//! The answer of screening for one grasp under a load that grows. Screening computes, for many grasps, the load factor at which the first contact
-//! stops sticking (first slip).
+//! The answer of screening for one grasp under a load that grows. Screening computes, for many grasps, the load factor of first slip, at which the
+//! first contact ceases to stick.
 
 use core::fmt;
 
 use super::first_slip::{ScreeningVerdict, SlipCode};
 
-/// The load factor at first slip of one grasp under a growing load, or the reason why screening has no load factor.
+/// The load factor of first slip of one grasp under a growing load, or the reason why screening has no load factor.
 #[derive(Clone, Copy, PartialEq)]
 pub struct Screened(pub(super) SlipCode);
 
 impl Screened {
-    /// How the screening ended: with a first slip, with the result that no contact ever slips, or without an answer.
+    /// How the screening ended: with a load factor of first slip, with the result that no contact ever slips, or without an answer.
     #[must_use]
     pub fn verdict(&self) -> ScreeningVerdict {
         self.0.verdict()
     }
 
-    /// The load factor at which the first contact stops sticking: a positive multiple of the load direction. `None` for every verdict but
+    /// The load factor at which the first contact ceases to stick: a positive multiple of the load direction. `None` for every verdict but
     /// [`ScreeningVerdict::Leaves`]. For [`ScreeningVerdict::Never`], for example, every contact sticks at every factor.
     #[must_use]
     pub fn factor(&self) -> Option<f64> {
@@ -29,7 +29,7 @@ impl Screened {
         self.0.holds_up_to(factor)
     }
 
-    /// The contacts that stop sticking at [`Self::factor`], counted from 0, in rising order. There are several if their load factors agree to twelve
+    /// The contacts that cease to stick at [`Self::factor`], counted from 0, in rising order. There are several if their load factors agree to twelve
     /// digits. There are none unless the verdict is [`ScreeningVerdict::Leaves`].
     pub fn leaving(&self) -> impl Iterator<Item = usize> + use<> {
         self.0.leaving()

@@ -1,5 +1,5 @@
-//! Access to the derivatives of load factors at first slip, as screening computes them for many grasps at once. A gradient belongs to one grasp under
-//! one load. It consists of the load factor at which the first contact stops sticking, and its derivatives with respect to all data. At this factor
+//! Access to the derivatives of load factors of first slip, as screening computes them for many grasps at once. A gradient belongs to one grasp under
+//! one load. It consists of the load factor at which the first contact ceases to stick, and its derivatives with respect to all data. At this factor
 //! the margin of that contact, `μ F_n - |F_t|`, vanishes. The base load acts at load factor 0.
 
 use super::first_slip::SlipCode;
@@ -7,7 +7,7 @@ use super::gradient_row::GradientRow;
 use super::screened::Screened;
 use crate::prelude::*;
 
-/// Derivatives of many load factors at first slip, ordered as the load factors themselves: one row of numbers for each. The memory can be reused.
+/// Derivatives of many load factors of first slip, ordered as the load factors themselves: one row of numbers for each. The storage can be reused.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct ScreenedGradients<const C: usize> {
     pub(super) contacts: usize,
@@ -15,7 +15,7 @@ pub struct ScreenedGradients<const C: usize> {
 }
 
 impl<const C: usize> ScreenedGradients<C> {
-    /// An empty list, without memory.
+    /// An empty list, without allocated storage.
     #[must_use]
     pub fn new() -> Self {
         Self { contacts: 0, numbers: Vec::new() }
@@ -54,31 +54,31 @@ impl<const C: usize> ScreenedGradients<C> {
         rows.map(move |row| ScreenedGradient { contacts, row })
     }
 
-    /// All numbers, row by row, [`Self::width`] in each row. A row for n contacts begins with 4 numbers. The first is the load factor at first slip,
-    /// or a negative code if screening has no load factor. The second is the sum of 2^i over the contacts i that stop sticking. The third is the
-    /// index, from 0, of the contact whose margin is differentiated. The fourth is positive if the load factor has a kink at these data (see
-    /// [`ScreenedGradient::is_one_sided`]), else zero. The derivatives follow: with respect to n points, n normals, n commands, n pairs of
-    /// stiffnesses, n coefficients of friction, and the components of the base load. [`ScreenedGradient`] returns each of them.
+    /// All numbers, row by row, [`Self::width`] in each row. A row for n contacts begins with 4 numbers. The first is the load factor of first slip,
+    /// or a negative code if screening has no load factor. The second is the sum of 2^i over the contacts i that cease to stick. The third is the
+    /// index, from 0, of the contact whose margin is differentiated. The fourth is positive if the load factor has a kink at these data, so that
+    /// derivatives are one-sided, else zero. The derivatives follow: with respect to n points, n normals, n commands, n pairs of stiffnesses, n
+    /// coefficients of friction, and the components of the base load. [`ScreenedGradient`] returns each of them.
     #[must_use]
     pub fn numbers(&self) -> &[f64] {
         &self.numbers
     }
 
-    /// All numbers, row by row as in [`Self::numbers`], without a copy.
+    /// All numbers in the order of [`Self::numbers`], row by row, without a copy.
     #[must_use]
     pub fn into_numbers(self) -> Vec<f64> {
         self.numbers
     }
 }
 
-/// The derivatives of the load factor at first slip of one grasp with respect to each of its data, while all other data stay fixed. They are NaN if
+/// The derivatives of the load factor of first slip of one grasp with respect to each of its data, while all other data stay fixed. They are NaN if
 /// screening has no load factor.
 ///
-/// If [`Self::is_one_sided`] is true, several contacts stop sticking together, or a contact force leaves its cone through the apex. The least of the
+/// If [`Self::is_one_sided`] is true, several contacts cease to stick together, or a contact force leaves its cone through the apex. The least of the
 /// contacts' load factors then has a kink. The derivatives given here are then derivatives of the load factor at which the margin of
-/// [`Self::contact`] vanishes. For the derivatives of each of these contacts see
-/// [`Fingers::onset_gradients`](crate::screening::Fingers::onset_gradients). For a given change of the data, the derivative of the load factor at
-/// first slip is the least of the derivatives that belong to these contacts.
+/// [`Self::contact`] vanishes. [`Fingers::onset_gradients`](crate::screening::Fingers::onset_gradients) has the derivatives for each of these
+/// contacts. For a given change of the data, the derivative of the load factor of first slip is the least of the derivatives that belong to these
+/// contacts.
 ///
 /// If no spring resists some motion of the object, derivatives with respect to points, normals and loads are NaN, because no equilibrium may exist
 /// after a change of these data. Two hard fingers in space are such a grasp. [`OnsetMargins::by`](crate::load_path::OnsetMargins::by) has derivatives
@@ -100,8 +100,8 @@ impl<const C: usize> ScreenedGradient<'_, C> {
         })
     }
 
-    /// The index, from 0, of the contact that slips first. If several contacts slip together, it is the contact for whose margin the derivatives are
-    /// given (see [`Self::is_one_sided`]). `None` if screening has no load factor.
+    /// The index, from 0, of the contact that ceases to stick first. If several contacts cease to stick together, it is the contact for whose margin
+    /// the derivatives are given. `None` if screening has no load factor.
     #[must_use]
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // it is a small whole number
     pub fn contact(&self) -> Option<usize> {
@@ -109,7 +109,7 @@ impl<const C: usize> ScreenedGradient<'_, C> {
         (contact >= 0.0).then_some(contact as usize)
     }
 
-    /// Whether the load factor at first slip has a kink at these data, so that derivatives are one-sided.
+    /// Whether the load factor of first slip has a kink at these data, so that derivatives are one-sided.
     #[must_use]
     pub fn is_one_sided(&self) -> bool {
         self.row[GradientRow::<C>::KINK] > 0.0

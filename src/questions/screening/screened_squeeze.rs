@@ -1,28 +1,28 @@
-//! The answer of screening for the least factor of the commands with which all contacts of one grasp stick. A command is the displacement that a
-//! finger would make without the object. A clearance is the gap between finger and object before the command; it is negative if they overlap.
+//! The answer of screening for the least factor on the commands with which all contacts of one grasp stick. A command is the displacement that a
+//! finger would make if there were no object. A clearance is the gap between finger and object before the command; it is negative if they overlap.
 
 use core::fmt;
 
 use super::first_slip::{GIVES_WAY, UNCLEAR};
 use super::least_factor::NO_FACTOR;
 
-/// The least factor of the commands with which all contacts of one grasp stick under each load of a list, or the reason why screening has no factor.
+/// The least factor on the commands with which all contacts of one grasp stick under each load of a list, or the reason why screening has no factor.
 #[derive(Clone, Copy, PartialEq)]
 pub struct ScreenedSqueeze {
-    /// The least factor of the commands if the verdict is [`SqueezeVerdict::Suffices`]. Each other verdict has a code instead: one of the constants
+    /// The least factor on the commands if the verdict is [`SqueezeVerdict::Suffices`]. Each other verdict has a code instead: one of the constants
     /// `NO_FACTOR`, `GIVES_WAY` and `UNCLEAR`.
     pub(super) code: f64,
     /// The contact and the load that determine the factor, encoded as `8 · load + contact`.
     pub(super) binding: f64,
 }
 
-/// How the screening of one grasp for its least factor of the commands ended.
+/// How the screening of one grasp for its least factor on the commands ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]
 pub enum SqueezeVerdict {
     /// With the commands times [`ScreenedSqueeze::factor`] every contact touches and sticks under every load of the list.
     Suffices,
-    /// No factor of the commands makes all contacts stick under all loads of the list.
+    /// No factor on the commands makes all contacts stick under all loads of the list.
     NoFactor,
     /// A load does positive work along a motion that no contact resists, however much the fingers press.
     GivesWay,
@@ -38,10 +38,10 @@ pub enum SqueezeVerdict {
 }
 
 impl ScreenedSqueeze {
-    /// The value that fills the memory for answers before they are computed: the code for [`SqueezeVerdict::Unclear`].
+    /// The value that fills the storage of answers before they are computed: the code for [`SqueezeVerdict::Unclear`].
     pub(super) const UNKNOWN: Self = Self { code: UNCLEAR, binding: 0.0 };
 
-    /// How the screening ended: with a factor of the commands, with the result that no factor makes all contacts stick, or without an answer.
+    /// How the screening ended: with a factor on the commands, with the result that no factor makes all contacts stick, or without an answer.
     #[must_use]
     pub fn verdict(&self) -> SqueezeVerdict {
         match self.code {
@@ -52,16 +52,16 @@ impl ScreenedSqueeze {
         }
     }
 
-    /// The least common factor of all commands with which every contact sticks under every load; zero if no squeeze is needed. `None` for every
-    /// verdict but [`SqueezeVerdict::Suffices`]. With larger factors a contact may slide or open: clearances are not scaled, and a contact may be
-    /// pushed open by other contacts.
+    /// The least common factor on all commands with which every contact sticks under every load; zero if all contacts stick without commands. `None`
+    /// for every verdict but [`SqueezeVerdict::Suffices`]. With larger factors a contact may slide or open: clearances are not scaled, and a contact
+    /// may be pushed open by other contacts.
     #[must_use]
     pub fn factor(&self) -> Option<f64> {
         (self.verdict() == SqueezeVerdict::Suffices).then_some(self.code)
     }
 
-    /// The contact whose force reaches the edge of its friction cone at [`Self::factor`], and the load under which it does, as indices from 0. If
-    /// several contacts reach their edges, the first is returned. `None` if the factor is zero, or if there is no factor.
+    /// The contact whose force reaches the boundary of its friction cone at [`Self::factor`], and the load under which it does, as indices from 0. If
+    /// several contacts reach this boundary, the first of them is returned. `None` if the factor is zero, or if there is no factor.
     #[must_use]
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // it is a small whole number
     pub fn binding(&self) -> Option<(usize, usize)> {

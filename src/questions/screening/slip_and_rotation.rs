@@ -1,6 +1,6 @@
-//! First slip (the first contact stops sticking), and the rotation of the object up to the whole load, for a batch of grasps, each under its own
-//! load. The base load acts at load factor 0. A command is the displacement that a finger would make without the object. A block holds as many grasps
-//! as a SIMD vector has numbers (lanes).
+//! The load factor of first slip, at which the first contact ceases to stick, and the rotation of the object up to the whole load. Both are computed
+//! for a batch of grasps, each under its own load. The base load acts at load factor 0. A command is the displacement that a finger would make if
+//! there were no object. A block holds as many grasps as a SIMD vector has numbers (lanes).
 
 use super::answer_slots::AnswerSlots;
 use super::block::Layout;
@@ -22,14 +22,15 @@ use crate::numerics::Vectors;
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::prelude::*;
 
-/// The question for first slip and rotation of each grasp of a batch under its own load; `pulls` has one load for each grasp.
+/// The question for the load factor of first slip, and the rotation, of each grasp of a batch under its own load; `pulls` has one load for each
+/// grasp.
 pub(crate) struct SlipAndRotation<const C: usize> {
     pub(crate) pulls: Vec<Pull<C>>,
-    /// Whether the rotation of the object is to be computed, too.
+    /// Whether the rotation of the object is computed, too.
     pub(crate) turns: bool,
 }
 
-/// First slip of one grasp as its load grows, and the rotation of its object computed as if every contact stuck.
+/// The load factor of first slip of one grasp as its load grows, and the rotation of its object computed as if every contact stuck.
 #[derive(Clone, Copy)]
 pub(crate) struct WhileSticking {
     pub(crate) first: Screened,
@@ -48,14 +49,15 @@ const SURELY: f64 = 0.99;
 
 impl WhileSticking {
     /// Whether the rotation stays within its `limit`, rad, by more than rounding, and the grasp surely does not buckle. This holds for any change of
-    /// load and squeeze that multiplies rotation and forces by at most `times`.
+    /// load and commands that multiplies rotation and forces by at most `times`.
     pub(crate) fn is_small(&self, limit: f64, times: f64) -> bool {
         self.turn * times <= limit * (1.0 - NEGLIGIBLE) && self.taken * times <= SURELY
     }
 }
 
 impl<const C: usize> SlipAndRotation<C> {
-    /// First slip and rotation of every grasp of a batch, on one thread. Empty if the number of loads is not the number of grasps.
+    /// The load factor of first slip and the rotation of every grasp of a batch, on one thread. Empty if the number of loads is not the number of
+    /// grasps.
     pub(crate) fn answers(self, batch: &PointBatch<C>) -> Vec<WhileSticking> {
         let mut answers = Vec::new();
         if self.pulls.len() != batch.len() {

@@ -1,8 +1,8 @@
 //! Contact forces while all contacts stick, under loads and commands, in one of three ways. Two contacts in the plane have a closed form ([`Pair`]).
-//! Three contacts in space may have three unknown forces along the edges of their triangle ([`Triangle`], if [`Method`] so decides). All other grasps
-//! have the motion of the object as the unknown ([`RigidBody`]). A command is the displacement that a finger would make without the object. A
-//! clearance is the gap between finger and object before the command; it is negative if they overlap. A block holds as many grasps as a SIMD vector
-//! has numbers (lanes).
+//! Three contacts in space may have three unknown forces along the edges of their triangle, i.e. the lines between contacts ([`Triangle`], if
+//! [`Method`] so decides). All other grasps have the motion of the object as the unknown ([`RigidBody`]). A command is the displacement that a finger
+//! would make if there were no object. A clearance is the gap between finger and object before the command; it is negative if they overlap. A block
+//! holds as many grasps as a SIMD vector has numbers (lanes).
 
 use super::balance::RigidBody;
 use super::block::{Block, Commanded, Layout};
@@ -100,7 +100,7 @@ impl<const C: usize, X: Packed> StickingSprings<C, X> {
     }
 
     /// Writes at least the rotation of the object under commands and a load into `moved`. With [`Method::Motions`] the motion of the object is the
-    /// unknown, and its rotation is copied from `forces`. With [`Method::Edges`] the whole motion is computed from the forces as by [`Self::moved`].
+    /// unknown, and its rotation is copied from `forces`. With [`Method::Edges`] the whole motion is computed from the forces and the compliances.
     #[inline(always)]
     pub(super) fn turned<V: Vectors>(
         &self,

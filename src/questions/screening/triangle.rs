@@ -1,4 +1,5 @@
-//! Three contacts in space: contact forces from forces along the edges of their triangle. The data are the compliances of the contacts.
+//! Three contacts in space: contact forces from forces along the edges of their triangle, i.e. the lines between contacts. The data are the
+//! compliances of the contacts.
 //!
 //! The edges run around the triangle of the contact points p_0, p_1 and p_2: `e_0 = p_2 - p_1` and so on. Edge i lies opposite to contact i. Modulo
 //! 3, edge j = i + 1 ends at contact i, and edge k = i + 2 begins at contact i. All edges are normal to `m = e_1 × e_2`. Balance with a load (force
@@ -8,7 +9,7 @@
 //! F_i = P_i + λ_j e_j - λ_k e_k,   P_i = -W_f / 3 - (e_i·M) m / |m|² + (m·M) e_i / 2 |m|²
 //! ```
 //!
-//! The lengths of the edges on the object stay constant, which fixes λ for the commands a (displacements that the fingers would make without the
+//! The lengths of the edges on the object stay constant, which fixes λ for the commands a (displacements that the fingers would make if there were no
 //! object). A clearance is the gap between finger and object before the command; the clearances of a grasp are subtracted from its commands. A
 //! contact with unit normal n, normal compliance c_n and tangential compliance c_t has the compliance `C_i = c_t I + (c_n - c_t) n nᵀ`. For each
 //! edge, from its tail to its head:
@@ -17,8 +18,8 @@
 //! e·[(a - C F)_head - (a - C F)_tail] = 0,   A λ = Nᵀ (a - C P),   A = Nᵀ C N,   (N λ)_i = λ_j e_j - λ_k e_k
 //! ```
 //!
-//! This takes half the operations of [`super::balance`], and forces balance for any λ. But a small force among large forces is more accurate with
-//! `balance`; [`super::method`] chooses between the two.
+//! This takes half the operations of computing the motion of the object from stiffnesses ([`super::balance`]), and forces balance for any λ. But
+//! `balance` is more accurate for a small force among large forces; [`super::method`] chooses between the two.
 
 use super::block::{Block, Commanded, entries};
 use super::factors::LaneFactors;
@@ -144,8 +145,8 @@ impl<const C: usize, X: Packed> Triangle<C, X> {
         self.forces(block, &lambda, Some((&borne, &pressed)), X::all(ZERO_SLACK) * size, forces);
     }
 
-    /// A bound, N, on the sum of the absolute values of the terms that add up to a contact force due to these commands. The rounding error of the
-    /// force is proportional to this sum.
+    /// A bound, N, on the sum of the magnitudes of the terms that add up to a contact force due to these commands. The rounding error of the force is
+    /// proportional to this sum.
     #[inline(always)]
     pub(super) fn size_of(&self, asked: &Commanded<'_, C, X>) -> X {
         let (mut stiffness, mut commands) = (X::all(0.0), X::all(0.0));

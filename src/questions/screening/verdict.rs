@@ -1,7 +1,7 @@
-//! The verdict of screening on a grasp: the load factor at which the first contact leaves its friction cone (stops sticking), or a negative code if
-//! there is no such factor. At the start, load factor zero, the margins of all contacts must be positive. The margin of a contact is `α F_n - β
-//! |F_t|` with the normal force F_n and the friction force F_t. For a contact with friction α is its coefficient and β is 1; other contacts have the
-//! values in [`StickingCone`](super::cone::StickingCone). A block holds as many grasps as a SIMD vector has numbers (lanes).
+//! The verdict of screening on a grasp: the load factor at which the first contact leaves its friction cone (ceases to stick), or a negative code if
+//! there is no such factor. At load factor zero the margins of all contacts must be positive. The margin of a contact is `α F_n - β |F_t|` with the
+//! normal force F_n and the friction force F_t. For a contact with friction α is its coefficient and β is 1;
+//! [`StickingCone`](super::cone::StickingCone) has the values for other contacts. A block holds as many grasps as a SIMD vector has numbers (lanes).
 
 use super::first_slip::{GIVES_WAY, NOT_STICKING, SlipCode, UNCLEAR};
 use super::lanes::Packed;
@@ -20,7 +20,7 @@ pub(super) struct Start<X: Packed> {
 }
 
 impl<X: Packed> Start<X> {
-    /// The state before any contact has been added: both margins are infinite. `free` is positive if the load at load factor zero does positive work
+    /// The values before any contact has been added: both margins are infinite. `free` is positive if the load at load factor zero does positive work
     /// along a motion that no contact resists.
     #[inline(always)]
     pub(super) fn new(free: X) -> Self {
@@ -70,7 +70,7 @@ pub(super) fn verdicts<A: Copy, X: Packed>(
     X::each(|lane| answer(SlipCode { code: code.lane(lane), leaving: leaving.lane(lane) }))
 }
 
-/// Returns `yes` if the contact forces balance the load (the unbalanced part is small), else `no`; also `no` for NaN.
+/// Returns `yes` if the contact forces balance the load up to rounding, else `no`; also `no` for NaN.
 #[inline(always)]
 pub(super) fn balanced<X: Packed>(unbalanced: X, yes: X, no: X) -> X {
     X::all(SOLVED_ROUNDING).above(unbalanced, yes, no)

@@ -1,4 +1,5 @@
-//! Margins of measured contact forces, and the first slip from them under a load to come, for a control loop.
+//! Margins of measured contact forces, and the load factor of first slip from them under a load to come, for a control loop. At first slip the first
+//! contact ceases to stick. The load factor is the multiple of the load to come.
 
 use core::fmt;
 
@@ -21,8 +22,8 @@ use crate::error::{ContactLabel, Error, Field};
 use crate::grasp::Wrench;
 use crate::numerics::Vectors;
 
-/// The answer of [`Fingers::watch`] for measured contact forces of one grasp: their margins, and the load factor of first slip under an expected
-/// load. Also the extra squeeze (relative increase of all commands) that this load needs.
+/// The answer of [`Fingers::watch`] for measured contact forces of one grasp: their margins, the load factor of first slip under an expected load,
+/// and the relative increase of all commands that this load needs.
 #[derive(Clone, Copy, PartialEq)]
 pub struct Watched {
     margin: f64,
@@ -53,7 +54,7 @@ impl Watched {
         self.tightest
     }
 
-    /// The multiple of the expected load at which the first contact stops sticking, and that contact. If the multiple is above one, all contacts
+    /// The multiple of the expected load at which the first contact ceases to stick, and that contact. If the multiple is above one, all contacts
     /// stick under the whole expected load.
     #[must_use]
     pub fn first_slip(&self) -> Screened {
@@ -80,12 +81,13 @@ impl fmt::Debug for Watched {
 }
 
 impl<const C: usize, const N: usize> Fingers<C, N> {
-    /// Margins of contact forces measured now, and first slip and extra squeeze under a load that is to come in addition to the present load. Nothing
-    /// is allocated, and the number of operations is bounded for a given number of contacts, for a control loop with a deadline.
+    /// Margins of contact forces measured now, and two numbers for a load that is to come in addition to the present load: the load factor of first
+    /// slip, and the relative increase of all commands that the load needs. Nothing is allocated, and the number of operations is bounded for a given
+    /// number of contacts, for a control loop with a deadline.
     ///
-    /// Forces act on the object at the contacts, along the coordinate axes, N. They may differ from the forces that the springs of the fingers would
-    /// give: past slip and model errors are contained in them. Only changes of forces are computed from the springs, as if every contact stuck. These
-    /// are the changes due to the load to come (N and N m, moments about the origin) and those due to more squeeze.
+    /// Forces act on the object at the contacts, along the coordinate axes, N. They may differ from the forces that follow from the springs of the
+    /// fingers, because they contain past slip and errors of the model. Only changes of forces are computed from the springs, as if every contact
+    /// stuck: those due to the load to come (N and N m, moments about the origin) and those due to larger commands.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Fingers, Wrench};
