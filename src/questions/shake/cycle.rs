@@ -1,6 +1,6 @@
-//! One cycle of loads: the states at its beginning and end, and the slips between them. A state has the contact forces, gaps and slips at an instant
-//! between two cycles. A jump is a motion under constant load from one equilibrium to another. An object walks if it moves on by the same motion in
-//! every cycle. A drive is a motor, clutch or tendon of a joint.
+//! One cycle of loads: the cycle states at its beginning and end, and the slips (sliding paths of contacts) between them. A cycle state has the
+//! contact forces, gaps and slips at an instant between two cycles. A jump is a motion under constant load from one equilibrium to another. An object
+//! walks if it moves on by the same motion in every cycle. A drive is the spring of a joint or tendon of a hand, with its force limit.
 
 use super::tolerances::{SAME_CYCLE, SLIP_OF_JUMPS};
 use nalgebra::{DVector, SVector};
@@ -13,7 +13,7 @@ use crate::numerics::{chosen, lowest, picked};
 use crate::prelude::*;
 use crate::search::Settings;
 
-/// The units in which states between cycles are compared.
+/// The units in which cycle states are compared.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct CycleUnits {
     /// Unit of forces, N: the largest contact force of the cycle.
@@ -22,7 +22,7 @@ pub(super) struct CycleUnits {
     pub(super) stretch: f64,
 }
 
-/// One cycle of loads, or several cycles joined to one, with the states at its beginning and end.
+/// One cycle of loads, or several cycles joined to one, with the cycle states at its beginning and end.
 #[derive(Debug, Clone)]
 pub(super) struct Cycle {
     pub(super) from: CycleState,
@@ -40,7 +40,7 @@ impl Cycle {
         Some(Self { scale: scale_of(engine, &record, &to), from, to, record })
     }
 
-    /// The cycle that begins at the state `there`, and the load path for the cycles after it. `None` if this state, with its slips, is no
+    /// The cycle that begins at the cycle state `there`, and the load path for the cycles after it. `None` if `there`, with its slips, is no
     /// equilibrium, or if the path ends within the cycle.
     pub(super) fn beginning_at<'g>(
         engine: &'g Engine,
@@ -48,7 +48,7 @@ impl Cycle {
         there: &CycleState,
         settings: &Settings,
     ) -> Option<(Self, Cycles<'g>)> {
-        // `there` is an extrapolated state. If no limit cycle is near it, directions of slip may turn ever faster along the path. Therefore the
+        // `there` is an extrapolated cycle state. If no limit cycle is near it, directions of slip may turn ever faster along the path. Therefore the
         // number of steps is limited.
         let tried = settings.with_most_steps(settings.most_steps.min(1000));
         let mut others = cycles.beginning_at(there, &tried)?;
@@ -67,24 +67,24 @@ impl Cycle {
         self.to = next.to.clone();
     }
 
-    /// The forces and gaps of a state, divided by the units of [`CycleUnits`], and for each contact 1 if its friction is kinetic, else 0. Gaps of
-    /// contacts that stay open during the whole cycle are replaced by zero: they may change although all forces repeat.
+    /// The forces and gaps of a cycle state, divided by the units of [`CycleUnits`], and for each contact 1 if its friction is kinetic, else 0. Gaps
+    /// of contacts that stay open during the whole cycle are replaced by zero: they may change although all forces repeat.
     pub(super) fn numbers(&self, place: &CycleState) -> DVector<f64> {
         place.numbers(&self.scale, &|i| self.record.open[i].is_some())
     }
 
-    /// The numbers of the state at the end of the cycle less the numbers of the state at its beginning; see [`Self::numbers`].
+    /// The numbers ([`Self::numbers`]: forces and gaps in their units) of the cycle state at the end of the cycle less those at its beginning.
     pub(super) fn difference(&self) -> DVector<f64> {
         self.numbers(&self.to) - self.numbers(&self.from)
     }
 
-    /// The largest absolute entry of [`Self::difference`].
+    /// The largest magnitude of an entry of [`Self::difference`].
     pub(super) fn change(&self) -> f64 {
         self.difference().amax()
     }
 
-    /// The largest [`Self::change`] with which a cycle is taken to repeat itself: [`SAME_CYCLE`], 1e-11, which allows for rounding, or the estimated
-    /// relative step error of the cycle's load path if that is larger.
+    /// The largest [`Self::change`] with which a cycle is taken to repeat itself. It is [`SAME_CYCLE`], 1e-11, which allows for rounding, or the
+    /// estimated relative step error of the cycle's load path if that is larger.
     pub(super) fn same(&self) -> f64 {
         SAME_CYCLE.max(self.record.step_error)
     }
@@ -122,8 +122,8 @@ impl Cycle {
     }
 
     /// Whether the object has moved, and the slip of some contact has changed, from the beginning to the end of the cycle, both by more than
-    /// rounding. Here slips count even if they are shorter than the errors of jumps in [`Self::slides`], since slips of the same sense add up over
-    /// the cycles.
+    /// rounding. Slips shorter than the errors of jumps, which [`Self::slides`] ignores, count here, since slips of the same sense add up over the
+    /// cycles.
     pub(super) fn walks(&self) -> bool {
         // If directions of slip turn along the load path, the error of the slips in a cycle may be a hundred times the estimated step errors.
         let still = NEGLIGIBLE.max(100.0 * self.record.step_error) * self.scale.stretch;

@@ -1,8 +1,8 @@
-//! Follows cycle after cycle of a repeated load until the cycles repeat themselves, or until extrapolation gives the limit of the cycles. A state
-//! consists of the contact forces and gaps between two cycles; at rest means before the first cycle, under the base load alone. Events are the
-//! slipping, sticking, opening and closing of contacts. The object walks
-//! if it moves on by the same motion in every cycle. A drive is a motor, clutch or tendon of a joint; motions are small within the limits up to which
-//! the linear theory is trusted.
+//! Follows cycle after cycle of a repeated load until the cycles repeat themselves, or until extrapolation gives the limit of the cycles. A cycle
+//! state consists of the contact forces and gaps between two cycles. At rest means before the first cycle, under the base load alone. Events are
+//! changes of contact states at one point of a load path: contacts slip, stick, open or close. The object walks if it moves on by the same motion in
+//! every cycle. A drive is the spring of a joint or tendon of a hand, with its force limit. Motions are small within the limits up to which the
+//! linear theory is trusted.
 
 use super::cycle::Cycle;
 use super::period_search::PeriodSearch;
@@ -17,7 +17,7 @@ use crate::numerics::{IntoList, any_index, mapped};
 use crate::prelude::*;
 use crate::search::Settings;
 
-/// Number of states kept for extrapolation, each at the end of a cycle. [`Recurrence`] uses at most the last ten of them.
+/// Number of cycle states kept for extrapolation, each at the end of a cycle. [`Recurrence`] uses at most the last ten of them.
 const KEPT_STATES: usize = 12;
 
 impl Engine {
@@ -79,8 +79,8 @@ struct FollowedCycles<'g, 's> {
     base: Wrench<3>,
     rest: CycleState,
     cycles: Cycles<'g>,
-    /// The latest states between successive cycles, oldest first, at most [`KEPT_STATES`]. If a cycle has other events than the cycle before, all
-    /// states before the beginning of this cycle are dropped.
+    /// The latest cycle states, oldest first, at most [`KEPT_STATES`]. If a cycle has other events than the cycle before, all cycle states before the
+    /// beginning of this cycle are dropped.
     places: Vec<CycleState>,
     /// For each contact or drive, whether it has slid in any cycle so far.
     slid: Vec<bool>,
@@ -93,12 +93,12 @@ struct FollowedCycles<'g, 's> {
     every: usize,
     /// Number of successive cycles, up to the present one, that each had the same events (slipping, sticking, opening, closing) as the cycle before.
     alike: usize,
-    /// Number of cycles whose load path was computed, including trials of extrapolated states.
+    /// Number of cycles whose load path was computed, including trials of extrapolated cycle states.
     followed: usize,
-    /// Number of load cycles from rest to the present state, including cycles that extrapolation skipped.
+    /// Number of load cycles from rest to the present cycle state, including cycles that extrapolation skipped.
     cycles_gone: usize,
-    /// The first reason why the cycles followed so far may be wrong: a motion that was not small, a suction cup that leaks, or buckling. `None`
-    /// without a reason.
+    /// The first reason why the cycles followed so far may be wrong: a motion that was not small, a suction cup that leaks, or buckling. `None` if
+    /// there is no such reason.
     too_far: Option<TooFar>,
 }
 
@@ -175,7 +175,7 @@ impl<'g> FollowedCycles<'g, '_> {
         walked_out.unwrap_or_else(|| self.answer(Repeats::Undecided { doubt: None }, (change, 0.0), None))
     }
 
-    /// Continues with the cycles from `state`, which the grasp reaches `passed` cycles after the present state.
+    /// Continues with the cycles from `state`, which the grasp reaches `passed` cycles after the present cycle state.
     fn restart_from(&mut self, state: CycleState, passed: usize) {
         self.places = vec![state];
         self.round = PeriodSearch::new();
@@ -183,12 +183,12 @@ impl<'g> FollowedCycles<'g, '_> {
         self.cycles_gone += passed;
     }
 
-    /// Extrapolates from cycles that all have the same events: to the limit of their states, or else over many cycles at once.
+    /// Extrapolates from cycles that all have the same events: to the limit of their cycle states, or else over many cycles at once.
     /// [`Extrapolation::NotKnown`] if all extrapolations fail.
     ///
-    /// An extrapolation is confirmed by computing the cycle that begins at the extrapolated state. The states at the beginning of cycles with the
-    /// same events form a convex set. If the cycles from the last state and from the extrapolated state have the same events, so have all skipped
-    /// cycles, whose states lie in between. Two events may swap their order: this does not change the map from state to state.
+    /// An extrapolation is confirmed by computing the cycle that begins at the extrapolated cycle state. The states at the beginning of cycles with
+    /// the same events form a convex set. If the cycles from the last and from the extrapolated cycle state have the same events, so have all skipped
+    /// cycles, whose states lie in between. Two events may swap their order: this does not change the map from one cycle state to the next.
     fn extrapolate(&mut self, last: &Cycle) -> Extrapolation<'g> {
         let places = self.places.clone();
         let numbers: Vec<_> = mapped(&places, &|place| last.numbers(place));
@@ -196,7 +196,7 @@ impl<'g> FollowedCycles<'g, '_> {
             return Extrapolation::NotKnown;
         };
         let near = if last.record.step_error > 0.0 { NEAR_THE_LIMIT_ON_ARCS } else { NEAR_THE_LIMIT };
-        // A state is near the limit if forces and gaps change by at most the relative number `near` in the cycle that begins at this state. `near` is
+        // A cycle state is near the limit if forces and gaps change by at most the relative number `near` in the cycle that begins there. `near` is
         // at most a thousandth of the change in the present cycle, but not below rounding. Thus, if an extrapolation fails, the next one from a later
         // cycle leads closer to the limit.
         let near = near.min(1e-3 * last.change()).max(last.same());
@@ -236,7 +236,7 @@ impl<'g> FollowedCycles<'g, '_> {
         }
     }
 
-    /// The cycle that begins at the limit of the states. `None` if the states have no limit, or if this cycle does not repeat itself or one of its
+    /// The cycle that begins at the limit of the cycle states. `None` if they have no limit, or if this cycle does not repeat itself or one of its
     /// gaps shrinks.
     fn limit(&mut self, recurrence: &Recurrence<'_>, last: &Cycle) -> Option<Cycle> {
         self.followed += 1;
@@ -308,9 +308,9 @@ impl<'g> FollowedCycles<'g, '_> {
         self.engine.each_moves(&(&to.twist - &from.twist))
     }
 
-    /// The answer, with the motion of each body from rest to the end of the repeating cycle `last`; without this cycle, to the end of the path.
-    /// `change` is the relative change of forces and gaps within the last cycle. `ratio` is the factor by which differences of successive states
-    /// shrink per cycle, or 0 without an extrapolation; see [`Shaken`].
+    /// The answer, with the motion of each body from rest to the end of the repeating cycle `last`; if `last` is `None`, to the end of the path.
+    /// `change` is the relative change of forces and gaps within the last cycle. `ratio` is the factor by which differences of successive cycle
+    /// states shrink per cycle, or 0 if the limit is not extrapolated.
     fn answer(&self, repeats: Repeats<3>, (change, ratio): (f64, f64), last: Option<&Cycle>) -> Shaken<3> {
         let here = self.cycles.cycle_state();
         let at = last.map(|cycle| &cycle.to).or(here.as_ref());
@@ -352,11 +352,11 @@ impl<'g> FollowedCycles<'g, '_> {
 
 /// The result of an extrapolation over cycles with the same events.
 enum Extrapolation<'g> {
-    /// The states between cycles converge, and a cycle from their limit repeats itself.
+    /// The cycle states converge, and a cycle from their limit repeats itself.
     To {
         /// The cycle that begins at the limit.
         limit: Box<Cycle>,
-        /// The factor by which differences of successive states shrink per cycle.
+        /// The factor by which differences of successive cycle states shrink per cycle.
         ratio: f64,
         /// The largest change of forces and gaps within `limit`.
         error: f64,
@@ -367,7 +367,7 @@ enum Extrapolation<'g> {
         cycle: Box<Cycle>,
         /// The load path as it stands at the end of `cycle`, from which further cycles can be followed.
         cycles: Box<Cycles<'g>>,
-        /// Number of cycles between the present state and the beginning of `cycle`. These cycles are skipped.
+        /// Number of cycles between the present cycle state and the beginning of `cycle`. These cycles are skipped.
         passed: usize,
     },
     /// All extrapolations failed.

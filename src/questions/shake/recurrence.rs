@@ -1,11 +1,11 @@
-//! Extrapolation of states between cycles with the same events: the difference of two successive states is a linear combination of earlier
-//! differences. A state consists of the contact forces and gaps between two cycles. Events are the slipping, sticking, opening and closing of
-//! contacts.
+//! Extrapolation of cycle states between cycles with the same events: the difference of two successive cycle states is a linear combination of
+//! earlier differences. A cycle state consists of the contact forces and gaps between two cycles. Events are changes of contact states: contacts
+//! slip, stick, open or close.
 //!
-//! An affine map with a matrix A leads from state to state, `e_{n+1} = A e_n + b`, so that the differences `d_n = e_{n+1} - e_n` obey
+//! An affine map with a matrix A leads from one cycle state to the next, `e_{n+1} = A e_n + b`, so that the differences `d_n = e_{n+1} - e_n` obey
 //! `d_{n+1} = A d_n`. If m eigenmodes of A contribute, each difference is a combination of the m differences before it, `d_{n+m} = Σ c_j d_{n+j}`,
-//! with coefficients c_j for j from 0 to m - 1. If the differences die out, the states converge to `(e_{n+m+1} - Σ c_j e_{n+j+1}) / (1 - Σ c_j)`
-//! (minimal polynomial extrapolation).
+//! with coefficients c_j for j from 0 to m - 1. If the differences die out, the cycle states converge to
+//! `(e_{n+m+1} - Σ c_j e_{n+j+1}) / (1 - Σ c_j)` (minimal polynomial extrapolation).
 
 use crate::numerics::{Singular, matrix_of, numbered};
 use nalgebra::{DMatrix, DVector};
@@ -15,19 +15,19 @@ use crate::load_path::CycleState;
 use crate::numerics::tolerances::SOLVED_ROUNDING;
 use crate::prelude::*;
 
-/// The last states between cycles, and the linear combination of earlier differences of successive states that gives the last difference.
+/// The last cycle states, and the linear combination of earlier differences of successive ones that gives the last difference.
 pub(super) struct Recurrence<'p> {
-    /// The last states between cycles, the earliest first.
+    /// The last cycle states, the earliest first.
     places: &'p [CycleState],
-    /// The differences of neighbouring states, one fewer than states.
+    /// The differences of neighbouring cycle states, one fewer than cycle states.
     changes: Vec<DVector<f64>>,
-    /// Coefficients c of the combination: the last difference of states is the sum of all differences before it, each multiplied by its coefficient.
+    /// Coefficients c of the combination: the last difference is the sum of all differences before it, each multiplied by its coefficient.
     coefficients: Vec<f64>,
 }
 
 impl<'p> Recurrence<'p> {
-    /// The recurrence with the fewest modes that reproduces the last difference of states up to `error`. `None` if up to eight modes do not reproduce
-    /// it, or if there are too few states.
+    /// The recurrence with the fewest modes that reproduces the last difference of cycle states up to `error`. `None` if up to eight modes do not
+    /// reproduce it, or if there are too few cycle states.
     pub(super) fn of(places: &'p [CycleState], numbers: &[DVector<f64>], error: f64) -> Option<Self> {
         let n = places.len();
         // If more than eight modes contribute, the caller follows further cycles until some modes have died out.
@@ -49,14 +49,14 @@ impl<'p> Recurrence<'p> {
         None
     }
 
-    /// The norm of the last difference of successive states divided by the norm of the difference before it.
+    /// The norm of the last difference of successive cycle states divided by the norm of the difference before it.
     pub(super) fn ratio(&self) -> f64 {
         let last = self.changes.len() - 1;
         self.changes[last].norm() / self.changes[last - 1].norm()
     }
 
-    /// The number of cycles after which the difference of successive states is at most `small`, if it shrinks by [`Self::ratio`] in each cycle. The
-    /// result is at most 2^20, and 2^20 if differences do not shrink.
+    /// The number of cycles after which the difference of successive cycle states is at most `small`, if it shrinks by [`Self::ratio`] in each cycle.
+    /// The result is at most 2^20, and 2^20 if differences do not shrink.
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "from 0 to a million")]
     pub(super) fn cycles_until(&self, small: f64) -> usize {
         let last = self.changes[self.changes.len() - 1].amax();
@@ -65,21 +65,21 @@ impl<'p> Recurrence<'p> {
         if self.ratio() < 1.0 { cycles.clamp(0.0, farthest as f64).ceil() as usize } else { farthest }
     }
 
-    /// The state to which the recurrence converges; `None` if the coefficients add up to one, so that it determines no limit.
+    /// The cycle state to which the recurrence converges; `None` if the coefficients add up to one, so that it determines no limit.
     pub(super) fn fixed_point(&self) -> Option<CycleState> {
         let rest = 1.0 - self.coefficients.iter().sum::<f64>();
         if rest.abs() <= SOLVED_ROUNDING {
             return None;
         }
-        // `changes` are differences of two states. Each coefficient becomes the weight of the later of the two states, so the first state has weight
-        // zero.
+        // `changes` are differences of two cycle states. Each coefficient becomes the weight of the later of the two, so the first cycle state has
+        // weight zero.
         let mut weights = vec![0.0];
         weights.extend(self.coefficients.iter().map(|c| -c / rest));
         weights.push(1.0 / rest);
         Some(self.combination(&weights))
     }
 
-    /// The predicted state after this number of further cycles, and the predicted difference of states over the next cycle.
+    /// The predicted cycle state after this number of further cycles, and the predicted difference over the next cycle.
     pub(super) fn after(&self, cycles: usize) -> (CycleState, DVector<f64>) {
         let modes = self.coefficients.len();
         // The companion matrix of the recurrence: in each cycle the differences move up by one row, and the last row gives the new difference.
@@ -99,14 +99,14 @@ impl<'p> Recurrence<'p> {
         (self.combination(&weights), change)
     }
 
-    /// The weighted sum of the states `places`; the weights add up to one. The sum is an equilibrium, because all states are equilibria under the
-    /// same load, and the conditions of equilibrium are linear while the events are the same.
+    /// The weighted sum of the cycle states `places`; the weights add up to one. The sum is an equilibrium, because all of them are equilibria under
+    /// the same load, and the conditions of equilibrium are linear while the events are the same.
     fn combination(&self, weights: &[f64]) -> CycleState {
         let from = &self.places[self.places.len() - 1];
         let mut sum = from.clone();
         for (place, weight) in self.places.iter().zip(weights) {
-            // The weights add up to one, so the differences from the last state are combined. Thus numbers that are the same in all states are not
-            // rounded.
+            // The weights add up to one, so the differences from the last cycle state are combined. Thus numbers that are the same in all of them are
+            // not rounded.
             let add = |a: &mut f64, b: f64, base: f64| *a += weight * (b - base);
             for i in 0..sum.forces.len() {
                 for axis in 0..3 {
@@ -137,8 +137,8 @@ fn power_and_sum(a: &DMatrix<f64>, n: usize) -> (DMatrix<f64>, DMatrix<f64>) {
 }
 
 impl CycleState {
-    /// The forces and gaps of this state in units of `scale`. If the grasp has kinetic friction, then for each contact 1 if it slides with its lower
-    /// kinetic friction, else 0. Gaps of contacts for which `aside` returns true are replaced by zero.
+    /// The forces and gaps of this cycle state in units of `scale`. With kinetic friction, a number for each contact follows: 1 if it slides at its
+    /// kinetic coefficient, else 0. Gaps of contacts for which `aside` returns true are replaced by zero.
     pub(super) fn numbers(&self, scale: &CycleUnits, aside: &dyn Fn(usize) -> bool) -> DVector<f64> {
         let mut numbers = Vec::new();
         for force in &self.forces {
@@ -153,8 +153,8 @@ impl CycleState {
         DVector::from_vec(numbers)
     }
 
-    /// This state after `times` further cycles that repeat. In each of them gaps, slips and motion change by their difference from `from`, the state
-    /// one cycle before. Forces do not change.
+    /// This cycle state after `times` further cycles that repeat. In each of them gaps, slips and motion change by their difference from `from`, the
+    /// cycle state one cycle before. Forces do not change.
     pub(super) fn after_repeats(&self, from: &Self, times: f64) -> Self {
         let mut there = self.clone();
         there.slips.iter_mut().zip(&from.slips).for_each(|(slip, before)| *slip += (*slip - before) * times);

@@ -1,10 +1,11 @@
 //! The static theorem of shakedown. It gives the greatest factor on repeated loads at which no contact slides under any of the loads, for suitable
-//! constant slips of the contacts. A drive is a motor, clutch or tendon of a joint.
+//! constant slips of the contacts. Slips are relative tangential displacements at contacts. A drive is the spring of a joint or tendon of a hand,
+//! with its force limit.
 //!
-//! While all contacts are closed and stick with constant slips s, contact forces under the constant base load W₀ plus λ times load W_k are `F(W₀) + λ
-//! F(W_k) - P s`. F is the elastic solution for a load, and P s the forces due to slips. If the grasp comes to rest under all loads of a cycle, its
-//! slips keep all contact forces inside their cones. Hence the greatest λ for which such an s exists is an upper bound: with a larger λ the grasp
-//! never comes to rest. A linear program finds it. The multipliers of the linear program prove that no other slips allow a larger λ.
+//! While all contacts are closed and stick with constant slips s, contact forces under the constant base load W₀ plus λ times load W_k are
+//! `F(W₀) + λ F(W_k) - P s`. F is the elastic solution for a load, and P s the forces due to slips. If the grasp comes to rest under all loads of a
+//! cycle, its slips keep all contact forces inside their cones. Hence the greatest λ for which such an s exists is an upper bound: with a larger λ
+//! the grasp never comes to rest. A linear program finds it. The multipliers of the linear program prove that no other slips allow a larger λ.
 //!
 //! If slips change no normal force, the grasp does come to rest for every λ up to this bound (Melan's theorem for friction). This does not hold if
 //! friction falls as contacts slide. If slips change normal forces, the order of the loads matters, too; [`shake`](super) takes it into account.
@@ -25,7 +26,7 @@ use crate::search::Settings;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 
-/// The greatest factor on repeated loads at which constant slips exist that keep all contacts from sliding; see
+/// The greatest factor on repeated loads at which constant slips exist that keep all contacts from sliding: the answer of
 /// [`Statics::shakedown`](crate::ask::Statics::shakedown).
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -40,7 +41,7 @@ pub struct Shakedown<const C: usize> {
     /// Slips of the contacts with which no contact slides under the loads times `factor`, m, in contact frames; their normal components are zero.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<Vec<SVector<f64, C>>>"))]
     pub slips: Vec<SVector<f64, C>>,
-    /// The contacts at their limit of friction with these slips, which would slide if the loads grew beyond `factor`, each with its load.
+    /// The contacts at their limit of friction with these slips, each with its load. If the loads grew beyond `factor`, these contacts would slide.
     pub binding: Vec<BindingContact>,
     /// Whether slips change normal forces. If not, the grasp comes to rest under loads up to `factor`, unless friction falls. If slips change normal
     /// forces, the grasp may not come to rest.
@@ -52,12 +53,12 @@ pub struct Shakedown<const C: usize> {
     /// force.
     pub around_the_round_cone: bool,
     /// Buckling under the base load or one of the loads while everything sticks, or else a slip in `slips` that is no longer
-    /// [small](crate::Settings::small_motions); `None` without either.
+    /// [small](crate::Settings::small_motions); `None` if neither occurs.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub too_far: Option<TooFar>,
 }
 
-/// A contact that would slide under one of the loads if they grew beyond [`Shakedown::factor`].
+/// A contact that would slide under one of the loads if the loads grew beyond [`Shakedown::factor`].
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -165,7 +166,7 @@ impl Engine {
 }
 
 /// The forces `forces`, with zero in place of each force that is only rounding. In some grasps, such as two opposite contacts, slips cause no contact
-/// forces. The linear program would otherwise scale the rounding errors up until they balance loads.
+/// forces. If rounding errors were kept, the linear program would scale them up until they balance loads.
 fn without_rounding(forces: &ContactForces) -> Vec<SVector<f64, 3>> {
     let size = forces.sizes.iter().copied().fold(0.0, f64::max);
     mapped(&forces.of, &|force| if force.norm() > SOLVED_ROUNDING * size { *force } else { SVector::zeros() })
@@ -173,7 +174,7 @@ fn without_rounding(forces: &ContactForces) -> Vec<SVector<f64, 3>> {
 
 /// The linear program for the greatest factor λ >= 0 on the loads with slips s such that `b + λ a + S s >= 0`. Each row is one facet of a contact's
 /// cone under one load. It has the margin b under the base load, the change a of the margin due to that load, and the changes S due to unit slips.
-/// All numbers are scaled to be near one.
+/// Here b, a and S are scaled to be near one.
 struct Program {
     /// For each row of the program the number of its load, and the index of its contact or drive. Number 0 is the base load alone; other loads are
     /// counted from 1.

@@ -1,7 +1,7 @@
-//! The behaviour of a grasp under a repeated load, and numbers about the cycles that were followed. A period is the number of cycles after which the
-//! motion repeats itself. In a walk the object moves on by the same motion in every period; a jump is a sudden motion under constant load. The extent
-//! of the contacts of an object is the root mean square distance of their points from their centroid. A drive is a motor, clutch or tendon of a
-//! joint. The base load is constant; each cycle is a load program of several legs (sections) that begins and ends with it.
+//! The behaviour of a grasp under a repeated load, and numbers about the cycles that were followed. The base load is constant; each cycle is a load
+//! program of several legs (sections) that begins and ends with it. A period is the number of cycles after which the motion repeats itself. In a walk
+//! the object moves on by the same motion in every period. A jump is a sudden motion under constant load. The extent of the contacts of an object is
+//! the root mean square distance of their points from their centroid. A drive is the spring of a joint or tendon of a hand, with its force limit.
 
 use crate::equilibrium::{Equilibrium, TooFar};
 use crate::grasp::{BodyMotion, Motion, PartLabel, WholeContact, Wrench};
@@ -28,16 +28,16 @@ pub struct Shaken<const C: usize> {
     pub every: usize,
     /// Number of load cycles up to the verdict, including those skipped by extrapolation and a last cycle in which the object is lost.
     pub cycles: usize,
-    /// Number of cycles whose load path was computed, including trial cycles from extrapolated states. Of many cycles with the same events, only a
-    /// few are computed.
+    /// Number of cycles whose load path was computed, including trial cycles from extrapolated forces and gaps. Of many cycles with the same events
+    /// (changes of contact states), only a few are computed.
     pub followed: usize,
     /// The largest change from the beginning to the end of the last cycle or period: of forces relative to the largest contact force, of gaps
     /// relative to the stretch of the softest spring under this force. Apart from rounding and step errors it is zero, unless the verdict is
     /// undecided, lost, or a walk with changing forces.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub change: f64,
-    /// The factor by which the difference of successive states (forces and gaps between two cycles) shrinks per cycle. Zero unless the verdict is
-    /// derived from an extrapolated limit.
+    /// The factor by which the difference of successive cycle states (forces and gaps between two cycles) shrinks per cycle. Zero unless the verdict
+    /// is derived from an extrapolated limit.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub ratio: f64,
     /// The contacts that open and close again in every period, once the motion repeats itself.
@@ -50,14 +50,14 @@ pub struct Shaken<const C: usize> {
     /// not counted.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "core::ops::Not::not"))]
     pub jumps: bool,
-    /// The joints and tendons that yield at their limits: in a period, or before the grasp comes to rest.
+    /// The joints and tendons whose forces reach their limits, so that they yield: in a period, or before the grasp comes to rest.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub yields: Vec<PartLabel>,
     /// The motion of the object, or of each body, from the equilibrium under the base load to the end of the last cycle; if slips die out, to the
     /// limit.
     pub moved: Vec<BodyMotion<C>>,
     /// The motion that first ceases to be [small](crate::Settings::small_motions) within the cycles; from then on answers neglect that the geometry
-    /// changes. If a suction cup leaks or the grasp buckles first, this is stated instead. `None` without any of these.
+    /// changes. If a suction cup leaks or the grasp buckles first, this is stated instead. `None` if none of these occurs.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub too_far: Option<TooFar>,
     /// The equilibrium after the last cycle that was followed, before the next one begins; `None` if the load path has ended.

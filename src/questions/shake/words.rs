@@ -25,7 +25,7 @@ impl<const C: usize> fmt::Display for Shaken<C> {
         let at_the_loss =
             || if let Repeats::Lost { lost, .. } = &self.repeats { lost.state.as_ref() } else { None };
         let state = self.state.as_ref().or_else(at_the_loss);
-        // A leak is not repeated in the caution (about motions beyond the linear theory), because the sentence begins with the cups that leak.
+        // If the sentence begins with the cups that leak, the leak is not repeated in the caution about motions beyond the linear theory.
         let is_new = |far: &&TooFar| !matches!(far, TooFar::Leaks { .. });
         let far = state.and_then(|state| state.too_far.as_ref()).filter(is_new);
         if let Some(far) = far.or(self.too_far.as_ref().filter(is_new)) {
