@@ -1,5 +1,5 @@
-//! Converts the types about squeezes between two forms. Internally vectors have three components even in the plane. For the caller they have `C`
-//! components: 2 in the plane, 3 in space.
+//! Conversions of the types of the least squeeze and the weakest direction between the engine and the caller. Vectors of the engine have three
+//! components even in the plane. Vectors of the caller have `C` components: 2 in the plane, 3 in space.
 
 use super::least_squeeze::LeastSqueeze;
 use super::loads::Loads;

@@ -1,10 +1,10 @@
 //! The direction in which the least force through a point makes a motion exceed its limit of small motions (up to which the linear theory is
 //! trusted), while everything sticks.
 //!
-//! Let x be the force, and s the vector of a rotation, slip or opening that must not exceed its limit L. While everything sticks s is affine in x: `s
-//! = a + B x`, where a is its value under the base load. The shortest x with `|s| = L` satisfies `x = λ Bᵀs` with a multiplier λ. In the singular
-//! value decomposition `B = U diag(σ) Vᵀ`, with `c = Uᵀa`, therefore `s_i = c_i / (1 - λ σ_i²)`. |s| grows with λ, up to infinity at 1/σ₁² (σ₁ is the
-//! largest σ). A bisection therefore finds the λ with |s| = L.
+//! Let x be the force, and s the vector of a rotation, slip or opening whose magnitude must not exceed its limit L. While everything sticks s is
+//! affine in x: `s = a + B x`, where a is its value under the base load. The shortest x with `|s| = L` satisfies `x = λ Bᵀs` with a multiplier λ. In
+//! the singular value decomposition `B = U diag(σ) Vᵀ`, with `c = Uᵀa`, therefore `s_i = c_i / (1 - λ σ_i²)`. |s| grows with λ, up to infinity at
+//! 1/σ₁² (σ₁ is the largest σ). A bisection therefore finds the λ with |s| = L.
 
 use nalgebra::{DMatrix, DVector, SMatrix, SVector};
 
@@ -19,9 +19,9 @@ use crate::prelude::*;
 use crate::search::Settings;
 
 impl Engine {
-    /// The size (N) and unit direction of the least force through `point` (m) with which a motion exceeds its limit of small motions. The force acts
-    /// in addition to a base load under which everything sticks. As long as everything sticks, no smaller force has this effect in any direction.
-    /// `None` if no force has this effect.
+    /// The magnitude (N) and unit direction of the least force through `point` (m) with which a motion exceeds its limit of small motions. The force
+    /// acts in addition to a base load under which everything sticks. As long as everything sticks, no smaller force has this effect in any
+    /// direction. `None` if no force has this effect.
     pub(crate) fn farthest_direction(
         &self,
         base: &Wrench<3>,
@@ -57,8 +57,8 @@ impl Engine {
     }
 }
 
-/// The size and direction of the shortest force x (N) with which a motion reaches its limit, if x adds the vector `by_force x` to this motion; `None`
-/// if no x brings it to the limit.
+/// The magnitude and direction of the shortest force x (N) with which a motion reaches its limit, if x adds the vector `by_force x` to this motion;
+/// `None` if no x brings it to the limit.
 fn shortest_to_the_limit(
     motion: &CountedMotion,
     by_force: &SMatrix<f64, 3, 3>,
@@ -88,8 +88,8 @@ fn shortest_to_length(length: f64, a: &SVector<f64, 3>, b: &SMatrix<f64, 3, 3>) 
     };
     let along_first = |part: f64| (length * length - others(part)).max(0.0).sqrt();
     let (mut low, mut high) = (0.0, 1.0);
-    // For a trial λ, `along_first` is the first component with which s would have the length L, given the other components. The actual first
-    // component is c₁ / `part`. While its magnitude is smaller, |s| is less than L. Sixty halvings reduce the error to rounding.
+    // For a trial λ, `along_first` is the first component with which s has the length L, given the other components. The actual first component is c₁
+    // / `part`. While its magnitude is smaller, |s| is less than L. Sixty halvings reduce the error to rounding.
     for _ in 0..60 {
         let part = 0.5 * (low + high);
         let is_within = along_first(part) * part > along[0].abs();
@@ -109,7 +109,7 @@ mod tests {
     use super::shortest_to_length;
     use crate::numerics::generic;
 
-    /// With the computed shortest force x, the motion `a + B x` has the required length. None of 4 000 other forces of the same size, in all
+    /// With the computed shortest force x, the motion `a + B x` has the required length. None of 4 000 other forces of the same magnitude, in all
     /// directions, gives a longer motion.
     #[test]
     fn no_other_direction_goes_farther() {

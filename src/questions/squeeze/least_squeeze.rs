@@ -1,5 +1,5 @@
-//! The least factor of commands and vacuums with which all contacts touch and stick under every one of a set of loads. A command is the displacement
-//! that a finger would make without the object.
+//! The least factor on commands and vacuums with which all contacts touch and stick under every one of a set of loads. A command is the displacement
+//! that a finger would make if there were no object.
 
 use super::loads::Loads;
 use super::parts::{Condition, ForceParts};
@@ -18,8 +18,8 @@ pub enum LeastSqueeze<const C: usize> {
     Factor {
         /// The least factor, at least zero, exact up to rounding.
         factor: f64,
-        /// The contact on the edge of its friction cone at this factor, from 0, and the load that brings it to this edge. `None` if the factor is
-        /// zero, because then no squeeze is needed.
+        /// The contact whose force is on the boundary of its friction cone at this factor, from 0, and the load that brings it there. `None` if the
+        /// factor is zero, because all contacts then stick without commands and vacuums.
         binding: Option<(usize, Wrench<C>)>,
     },
     /// No factor makes all contacts stick. With the factor in the field `factor`, or any larger factor, the contact `contact` does not stick under
@@ -33,9 +33,9 @@ pub enum LeastSqueeze<const C: usize> {
         /// The least factor with which all sticking conditions found before this one hold.
         factor: f64,
     },
-    /// Nothing resists this motion at any squeeze, and some load does work along it.
+    /// Nothing resists this motion, whatever the factor, and some load does work along it.
     GivesWay {
-        /// The motion that nothing resists, of unit size.
+        /// The motion that nothing resists, scaled to unit length.
         motion: Motion<C>,
     },
     /// Rounding keeps the factor from rising further although a sticking condition is broken.

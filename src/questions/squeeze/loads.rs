@@ -13,11 +13,11 @@ use crate::prelude::*;
 pub enum Loads<const C: usize> {
     /// Each load of the list, N and N m, one at a time; a list without loads is an error.
     Each(Vec<Wrench<C>>),
-    /// The constant load `base` plus a force of size `size` in any direction.
+    /// The constant load `base` plus a force of magnitude `size` in any direction.
     AnyForce {
         /// The constant load to which the force is added, N and N m.
         base: Wrench<C>,
-        /// The size of the force, N, at least zero.
+        /// The magnitude of the force, N, at least zero.
         size: f64,
         /// The point at which the force acts, m, in the coordinates of the grasp.
         point: [f64; C],
@@ -27,7 +27,8 @@ pub enum Loads<const C: usize> {
 }
 
 impl Loads<3> {
-    /// An error for an empty list of loads, a size below zero, and loads, points or sizes that are not finite or beyond 1e50.
+    /// Returns an error for an empty list of loads, a force of magnitude below zero, and loads, points or magnitudes that are not finite or beyond
+    /// 1e50.
     pub(super) fn check(&self, grasp: &Engine) -> Result<(), Error> {
         self.check_size()?;
         match self {
@@ -42,7 +43,7 @@ impl Loads<3> {
 }
 
 impl<const C: usize> Loads<C> {
-    /// An error for an empty list of loads, and for a force whose size is below zero, beyond 1e50 or NaN.
+    /// Returns an error for an empty list of loads, and for a force whose magnitude is below zero, beyond 1e50 or NaN.
     pub(crate) fn check_size(&self) -> Result<(), Error> {
         match self {
             Self::Each(list) if list.is_empty() => {
@@ -124,7 +125,7 @@ impl<const C: usize> From<Vec<Wrench<C>>> for Loads<C> {
     }
 }
 
-/// An error for a point with a coordinate that is not finite or beyond 1e50.
+/// Returns an error for a point with a coordinate that is not finite or beyond 1e50.
 pub(super) fn check_point(point: &[f64; 3]) -> Result<(), Error> {
     match point.iter().find(|x| !is_moderate(**x)) {
         Some(&value) => Err(Error::Argument { what: "point of the force", value, allowed: MODERATE }),

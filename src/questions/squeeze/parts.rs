@@ -1,6 +1,7 @@
 //! Finds the sticking condition that is broken most under a set of loads, if all commands and vacuums are multiplied by a factor. A command is the
-//! displacement that a finger would make without the object. A clearance is the gap between finger and object before the command; it is negative if
-//! they overlap. For a force of any direction, the base load acts before this force.
+//! displacement that a finger would make if there were no object. A clearance is the gap between finger and object before the command; it is negative
+//! if they overlap. The set of loads may be a force of any direction, added to a constant base load. In the code the facets of a friction cone are
+//! edges.
 
 use nalgebra::SVector;
 
@@ -28,8 +29,9 @@ pub(super) struct ForceParts<'l> {
     loads: &'l Loads<3>,
     edges: Vec<Edges>,
     squeeze: ContactForces,
-    /// Contact forces without commands and vacuums, due to the loads and clearances. For a list of loads there is an entry for each load. For a turning
-    /// load there are three entries, for its constant, cosine and sine terms. For a force of any direction there is one entry, for the base load.
+    /// Contact forces without commands and vacuums, due to the loads and clearances. For a list of loads there is an entry for each load. For a
+    /// turning load there are three entries, for its constant, cosine and sine terms. For a force of any direction there is one entry, for the base
+    /// load.
     base: Vec<ContactForces>,
     influences: Vec<Influence>,
 }

@@ -1,6 +1,6 @@
-//! The least force, over all directions, that makes a contact stop sticking when it acts at a given point. The base load is constant and acts before
-//! that force. A facet is a plane that bounds a polygonal friction cone, or one that touches a round cone. A drive is a motor, clutch or tendon of a
-//! joint.
+//! The least force, over all directions, that makes a contact cease to stick when it acts at a given point. The base load is constant and acts before
+//! that force. A facet is a plane that bounds a polygonal friction cone, or one that touches a round cone; in the code the facets of a contact are
+//! edges. A drive is the spring of a joint or tendon of a hand, with its force limit.
 
 use crate::numerics::IntoList;
 use core::f64::consts::FRAC_PI_2;
@@ -17,28 +17,28 @@ use crate::load_path::DepartingPart;
 use crate::prelude::*;
 use crate::search::Settings;
 
-/// The answer to "in which direction does the least force at this point make a contact stop sticking?"
+/// The answer to "in which direction does the least force at this point make a contact cease to stick?"
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum WeakestDirection<const C: usize> {
-    /// A force of this size in this direction makes a contact stop sticking, or a drive of a hand reach its force limit. No smaller force has this
-    /// effect, in any direction.
+    /// A force of this magnitude in this direction makes a contact cease to stick, or a drive of a hand reach its force limit. No smaller force has
+    /// this effect, in any direction.
     #[non_exhaustive]
     Force {
-        /// Size of the least force, N, exact up to rounding.
+        /// Magnitude of the least force, N, exact up to rounding.
         size: f64,
         /// Unit vector along the least force, in coordinate axes.
         direction: [f64; C],
         /// The base load plus the least force at its point, N and N m.
         load: Wrench<C>,
-        /// The contact that stops sticking, or the drive of a hand that reaches its force limit.
+        /// The contact that ceases to stick, or the drive of a hand that reaches its force limit.
         leaver: DepartingPart,
     },
-    /// All contacts keep sticking, and no drive reaches its force limit, under a force of any size in any direction.
+    /// All contacts keep sticking, and no drive reaches its force limit, under a force of any magnitude in any direction.
     Never,
     /// Nothing resists this motion, and a force at this point can do work along it.
     GivesWay {
-        /// The motion that nothing resists, of unit size.
+        /// The motion that nothing resists, scaled to unit length.
         motion: Motion<C>,
     },
     /// Under the base load a contact slides or is open, a drive is at its force limit, or no equilibrium with all contacts sticking exists.
@@ -85,8 +85,8 @@ impl Engine {
     }
 }
 
-/// The least force known so far that makes a contact reach the edge of its cone, or a drive its force limit. `site` is the index, from 0, of this
-/// contact or drive (drives follow the contacts).
+/// The least force known so far that takes the force of a contact to the boundary of its cone, or a drive to its force limit. `site` is the index,
+/// from 0, of this contact or drive (drives follow the contacts).
 struct LeastForce {
     size: f64,
     direction: SVector<f64, 3>,
@@ -94,8 +94,9 @@ struct LeastForce {
 }
 
 impl LeastForce {
-    /// Finds the least force that takes this contact to the edge of its cone. The force is kept if it is less than the least force so far. A round
-    /// cone is approximated by tangent planes, more of them in each round. Returns whether the search ended within the allowed number of rounds.
+    /// Finds the least force that takes the force of this contact to the boundary of its cone. It is kept if it is less than the least force so far.
+    /// A round cone is approximated by tangent planes, more of them in each round. Returns whether the search ended within the allowed number of
+    /// rounds.
     fn lowered_to(
         &mut self,
         site: usize,
@@ -121,9 +122,9 @@ impl LeastForce {
         // Each round adds planes, which reduces the least force; the force converges quadratically. After this many rounds only rounding could still
         // change the force.
         for _ in 0..200 {
-            // Consider the gradient, with respect to the force at the point, of the margin on the facet at angle φ of the round cone. It is a + b cos
-            // φ + c sin φ, with constant vectors a, b and c. If this gradient vanishes at four angles, it vanishes at all angles, and no force makes
-            // this contact slide.
+            // The margin on the facet at angle φ of the round cone has a gradient with respect to the force at the point. It is a + b cos φ + c sin
+            // φ, with constant vectors a, b and c. If this gradient vanishes at four angles, it vanishes at all angles, and no force makes this
+            // contact slide.
             if size.is_infinite() {
                 return true;
             }
