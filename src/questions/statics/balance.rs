@@ -11,8 +11,8 @@ use crate::search::Settings;
 
 impl Engine {
     /// A motion that proves that no contact forces inside their cones balance this load together with the permanent loads, i.e. weights of bodies,
-    /// vacuums of suction cups and other loads that act in every question. No such contact force does negative work along the motion, and the loads
-    /// do positive work along it. `None` if no such proof was found.
+    /// vacuums of suction cups and other loads that act in every question. No contact force inside its cone does negative work along the motion, and
+    /// the loads do positive work along it. `None` if no such proof was found.
     pub(crate) fn unbalanced_along(
         &self,
         load: &Wrench<3>,

@@ -26,8 +26,8 @@ impl Budget {
     }
 }
 
-/// The scale in which the size of a wrench is measured: moments about a point, divided by a length, are treated as forces. The size depends on the
-/// point and the length.
+/// The scale in which the magnitude of a wrench is measured: moments about a point, divided by a length, are treated as forces. The magnitude depends
+/// on the point and the length.
 ///
 /// By default the point is the centroid of the contacts, and the length the largest distance of a contact from it.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -55,7 +55,8 @@ impl Engine {
         let problem = self.without_load(settings);
         let axes = |(i, local): (usize, LocalLaw<'_>)| (0..local.springs.axes()).map(move |axis| (i, axis));
         let axes: Vec<_> = problem.locals().enumerate().flat_map(axes).list();
-        // Without load and commands the possible forces of every contact form a cone, so that each contact has generators (edge vectors of its cone).
+        // Without load and commands the possible forces of every contact form a cone. Thus each contact has generators: forces along the corners of
+        // its cone, where two facets meet.
         let straight = straight_generators(&problem).unwrap_or_default();
         let inside = |forces: &[SVector<f64, 3>]| {
             problem.locals().zip(forces).all(|(local, force)| {
@@ -92,9 +93,10 @@ impl Engine {
         }
     }
 
-    /// Decides closure for friction cones that are spanned by generators (forces on their edges). `straight` are the generators of polygonal cones.
-    /// `round` returns, for a motion, the generator of each round cone that does the most negative work along it. `axes` has pairs of a contact and
-    /// one of its axes; forces have components along these axes only. `inside` returns whether forces are strictly inside their cones.
+    /// Decides closure for friction cones that are spanned by generators. These are forces along the corners of polygonal cones (`straight`), or
+    /// forces on the boundaries of round cones. `round` returns, for a motion, the generator of each round cone that does the most negative work
+    /// along it. `axes` has pairs of a contact and one of its axes; forces have components along these axes only. `inside` returns whether forces are
+    /// strictly inside their cones.
     fn closure(
         &self,
         axes: &[(usize, usize)],

@@ -1,5 +1,5 @@
-//! Converts the answers to static questions (force closure, the ball of loads that can be balanced, limit loads) between two forms. Internally
-//! vectors have three components even in the plane. For the caller they have `C` components: 2 in the plane, 3 in space.
+//! Conversions of the answers to static questions (force closure, the ball of loads that can be balanced, limit loads) between the engine and the
+//! caller. Vectors of the engine have three components even in the plane. Vectors of the caller have `C` components: 2 in the plane, 3 in space.
 
 use super::budget::WrenchScale;
 use super::closure::Closure;

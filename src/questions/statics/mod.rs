@@ -1,12 +1,14 @@
-//! Static questions of grasp planning, from geometry and friction alone: which loads *could* some contact forces balance?
+//! Static questions of grasp planning, from geometry and friction alone: which loads can be balanced by some contact forces inside the friction
+//! cones?
 //!
 //! Springs and commands do not matter here. With [force closure](crate::ask::Statics::force_closure) some contact forces balance any load. The
-//! [measure of Ferrari and Canny](crate::ask::Statics::ferrari_canny) is the size up to which contact forces balance loads of every direction within
-//! a [`Budget`] of normal forces. [Limit analysis](crate::ask::Statics::load_limit) finds the largest multiple of a given load. Whether these fingers
-//! balance a load, with their squeeze, is answered by [`Grasp::solve`](crate::ask::Grasp::solve) and [`Grasp::onset`](crate::ask::Grasp::onset).
+//! [measure of Ferrari and Canny](crate::ask::Statics::ferrari_canny) is the magnitude up to which contact forces balance loads of every direction
+//! within a [`Budget`] of normal forces. [Limit analysis](crate::ask::Statics::load_limit) finds the largest multiple of a given load. Whether given
+//! fingers, with their springs and commands, balance a load is answered by [`Grasp::solve`](crate::ask::Grasp::solve) and
+//! [`Grasp::onset`](crate::ask::Grasp::onset).
 //!
-//! The pull of a vacuum does not depend on the contact forces: it is added to every load. Closure is about loads of any size, so the question is an
-//! error if some loads could not be balanced without the vacuum.
+//! The pull of a vacuum does not depend on the contact forces: it is added to every load. Closure is about loads of any magnitude. If some loads
+//! could not be balanced without the vacuum, the question is therefore an error.
 //!
 //! | file | idea |
 //! |---|---|
