@@ -3,8 +3,8 @@
 use crate::prelude::*;
 use crate::screening::{Batch, LoadCases, Pull, Screened, ScreenedGradients, ScreenedSqueeze};
 
-/// The load factor at which the first contact stops sticking, for each grasp of a batch and each of the growing loads: [`Batch::onsets_into`] on all
-/// cores. `answers` is overwritten and its memory reused. Afterwards `answers` has the answers for the first grasp in the order of the loads, then
+/// The load factor at which the first contact ceases to stick, for each grasp of a batch and each of the growing loads: [`Batch::onsets_into`] on all
+/// cores. `answers` is overwritten and its storage reused. Afterwards `answers` has the answers for the first grasp in the order of the loads, then
 /// the answers for the next grasp, and so on. [`Batch`] has an example.
 pub fn onsets_of_batch<const C: usize, const N: usize>(
     batch: &Batch<C, N>,
@@ -14,8 +14,9 @@ pub fn onsets_of_batch<const C: usize, const N: usize>(
     batch.onsets_on_all_cores(pulls, answers);
 }
 
-/// Computes the derivatives of the load factor at first slip with respect to points, normals, commands, stiffnesses, friction and load. They are
-/// computed for each grasp of a batch and each of the growing loads. Gradients are in the order of [`onsets_of_batch`].
+/// Computes the derivatives of the load factor of first slip with respect to points, normals, commands, stiffnesses, friction and load. At first slip
+/// the first contact ceases to stick. They are computed for each grasp of a batch and each of the growing loads: all loads for the first grasp, then
+/// all for the next.
 ///
 /// ```
 /// use grasp_lcp::spatial::{Batch, Contact, Fingers, Pull, Wrench};
@@ -45,8 +46,8 @@ pub fn onset_gradients_of_batch<const C: usize, const N: usize>(
     batch.onset_gradients_on_all_cores(pulls, gradients);
 }
 
-/// The least factor of the commands with which each grasp of a batch holds every load of a list, for each of the lists. It is
-/// [`Batch::least_squeezes_into`] on all cores. Answers are in the order of [`onsets_of_batch`].
+/// The least factor on the commands with which all contacts of each grasp of a batch stick under every load of a list, for each of the lists. It is
+/// [`Batch::least_squeezes_into`] on all cores. The answers for all lists of the first grasp come first, then those for the next grasp.
 pub fn least_squeezes_of_batch<const C: usize, const N: usize>(
     batch: &Batch<C, N>,
     cases: &[LoadCases<C>],

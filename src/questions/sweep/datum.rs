@@ -1,5 +1,5 @@
-//! The uncertain data of a grasp on which contact forces depend, each with its standard deviation. The squeeze is all that presses without a load,
-//! such as commands of fingers and constant forces.
+//! The uncertain data of a grasp on which contact forces depend, each with its standard deviation. The squeeze is everything by which contacts press
+//! at rest without a load, such as commands of fingers and constant forces.
 
 use super::contact_errors::{ContactErrors, factor};
 use super::uncertainty::Uncertainty;
@@ -19,8 +19,8 @@ pub(super) enum UncertainDatum {
     OfPart(usize, [f64; 2]),
 }
 
-/// Returns the grasp in which each of the uncertain `data` is in error by its entry of `z`, in standard deviations. An error if a datum leaves its
-/// allowed range, or if the grasp cannot hold the given tension of a link (a cable or spring between bodies).
+/// Returns the grasp in which each of the uncertain `data` is in error by its entry of `z`, in standard deviations. Returns an error if a datum
+/// leaves its allowed range, or if the grasp cannot hold the given tension of a link (a cable or spring between bodies).
 pub(super) fn with_errors(of: &Engine, data: &[UncertainDatum], z: &[f64]) -> Result<Engine, Error> {
     let mut errors = vec![ContactErrors::default(); of.wholes().len()];
     for (datum, z) in data.iter().zip(z) {

@@ -1,4 +1,4 @@
-//! The probability that a contact stops sticking under one load, if data of the grasp are uncertain.
+//! The probability that a contact ceases to stick under one load, if data of the grasp are uncertain.
 //!
 //! Each facet of the friction cone has a margin, a linear function of the contact force that is positive inside the cone. The facet fails if its
 //! margin is negative. The distance of the given data from failure, in standard deviations, is the reliability β of the facet. To first order in the
@@ -26,8 +26,9 @@ use crate::contact::{Edges, round_rows};
 use crate::numerics::{Harmonic, normal_tail, summed};
 use crate::prelude::*;
 
-/// Adds to `events` the possible failures of one contact under a load: a failure is that the contact force leaves the friction cone. For failures
-/// whose probability is below `rare`, the correlation with other failures is neglected. `margin` is overwritten with intermediate results.
+/// Adds to `events` the possible failures of one contact under a load: a failure is that the contact force leaves the friction cone. The correlation
+/// of failures whose probability is below `rare` with other failures is neglected. `margin` is a scratch buffer. In the code the facets of the cone
+/// are edges.
 pub(super) fn failures(
     (contact, edges): (usize, &Edges),
     here: &UncertainForce<'_>,

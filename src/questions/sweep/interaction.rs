@@ -1,7 +1,7 @@
 //! The interaction of errors of several data in their effect on a contact force. It is the change of the force if all data are in error at once, less
 //! the sum of the changes due to each datum alone. It is computed for each facet (plane side) of a friction cone, at the point of failure of the
-//! facet. This point is the smallest set of errors with which the force reaches the facet, so that its margin (its distance from the facet) vanishes
-//! (see [`margin`](super::margin)). A drive is a motor, clutch or tendon of a joint.
+//! facet. This point is the smallest set of errors with which the force reaches the facet, so that its margin (its distance from the facet) vanishes.
+//! A drive is the spring of a joint or tendon of a hand, with its force limit.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -16,9 +16,10 @@ use crate::grasp::{Engine, Wrench};
 use crate::numerics::{Draw, IntoList, dot, numbered};
 use crate::prelude::*;
 
-/// Number of random sets of errors, each with plus or minus one standard deviation per datum, from which the size of interactions is estimated.
+/// Number of random sets of errors, each with plus or minus one standard deviation per datum, from which the magnitude of interactions is estimated.
 ///
-/// If larger, more equilibria are computed for each load whose failure probability is sought. If smaller, the estimate is less certain.
+/// If it were larger, more equilibria would be computed for each load whose failure probability is sought. If it were smaller, the estimate would be
+/// less certain.
 const PROBES: usize = 8;
 
 /// The grasp whose data are uncertain, in fixed contact states (each contact sticks or is open). It gives exact contact forces with several data in
@@ -41,9 +42,9 @@ pub(super) struct Probe {
 }
 
 impl PerturbedGrasp {
-    /// The exact forces on contacts and joint drives under `load`, N. The entries of `z` are errors in standard deviations: of the uncertain data,
-    /// then of the load factor. A further entry, the error of friction, is not used. `None` if a datum leaves its allowed range,
-    /// or the grasp cannot hold the tension of a link.
+    /// The exact forces on contacts and drives under `load`, N. The entries of `z` are errors in standard deviations: of the uncertain data, then of
+    /// the load factor. A further entry, the error of friction, is not used. `None` if a datum leaves its allowed range, or the grasp cannot hold the
+    /// tension of a link.
     fn forces(&self, load: &Wrench<3>, z: &[f64]) -> Option<Vec<SVector<f64, 3>>> {
         let grasp = with_errors(&self.grasp, &self.data, z).ok()?;
         let response = StickingResponse::in_states(&grasp, self.cone, &self.states);
@@ -68,7 +69,7 @@ impl PerturbedGrasp {
 
     /// For each facet of a contact's friction cone, the interaction of all data errors at the facet's point of failure under a load. It is the exact
     /// change of the contact force less the sum of the changes due to single errors. Zero for facets whose failure probability is below `rare`; an
-    /// empty list without uncertain data. `probes` are those of [`Self::probes`] under the same load.
+    /// empty list if no data are uncertain. `probes` are the random sets of errors, with exact forces, under the same load.
     pub(super) fn of_facets<'p>(
         &self,
         (i, edges): (usize, &Edges),

@@ -7,8 +7,8 @@
 //!
 //! Here μ is the coefficient of friction, σ the standard deviation of its logarithm, and h the unit normal of the facet in the tangent plane. The
 //! vector z has the errors of the data, in standard deviations; its last entry z_f is the error of friction. The change Δ_i of the contact force due
-//! to the error of datum i is a polynomial through exact forces at four errors. The [interaction](super::interaction) of several data is computed at
-//! the point of failure and added as a constant force.
+//! to the error of datum i is a polynomial through exact forces at four errors. The [interaction](super::interaction) of several data is the change
+//! of the force due to all errors together, less the sum of the Δ_i. It is computed at the point of failure and added as a constant force.
 //!
 //! The point of failure is the shortest z at which the margin vanishes. Its length is the reliability β (Hasofer and Lind, Exact and invariant
 //! second-moment code format, 1974). Steps towards it are shortened until a merit function of distance and margin falls (Zhang and Der Kiureghian,
@@ -63,11 +63,11 @@ pub(super) struct UncertainForce<'a> {
     pub(super) friction: f64,
 }
 
-/// The search for the point of failure of one facet, and its result. The memory is reused for one facet after the other.
+/// The search for the point of failure of one facet, and its result. It is a scratch buffer for one facet after the other.
 #[derive(Debug)]
 pub(super) struct FacetMargin {
-    /// The present point z of the search, at its end the point of failure. Its entries are errors in standard deviations, first of the data as in
-    /// `changes`, then of friction.
+    /// The present point z of the search, at its end the point of failure. Its entries are errors in standard deviations, first of the data in the
+    /// order of `changes`, then of friction.
     pub(super) fails_at: Vec<f64>,
     /// The point z before the last step of the search.
     from: Vec<f64>,
@@ -79,8 +79,8 @@ pub(super) struct FacetMargin {
     pub(super) gradient: Vec<f64>,
     pub(super) steepness: f64,
     reliability: f64,
-    /// The failure probability divided by its first-order estimate `Φ(-β)`, with the normal distribution function Φ: the correction by
-    /// [`second_order`](super::second_order), or 1 without this correction.
+    /// The failure probability divided by its first-order estimate `Φ(-β)`, with the normal distribution function Φ. It is the correction by
+    /// [`second_order`](super::second_order), or 1 if this correction is not computed.
     curved: f64,
 }
 
@@ -227,9 +227,9 @@ impl UncertainForce<'_> {
     }
 
     /// The mean number, per radian, of changes of the margin from positive to negative as the angle θ of the facet's direction grows. It is a mean
-    /// over the random errors of the data. The head of [`super::failure`] derives it from the reliability of the facet. Here it is multiplied by the
-    /// field `curved`, the second-order correction of the failure probability. The margin is the product of a facet vector (μ along the normal, -h in
-    /// the tangent plane) and the contact force; `turned` is the derivative of this vector with respect to θ.
+    /// over the random errors of the data, multiplied by the field `curved`, the second-order correction of the failure probability. The head of
+    /// [`super::failure`] has the formula without this correction. The margin is the product of a facet vector (μ along the normal, -h in the tangent
+    /// plane) and the contact force; `turned` is the derivative of this vector with respect to θ.
     pub(super) fn crossings(&self, margin: &FacetMargin, turned: &SVector<f64, 3>) -> f64 {
         if margin.steepness == 0.0 {
             return 0.0;

@@ -1,10 +1,10 @@
 //! Asks the same question for many loads or grasps at once. Answers come in the order of the items and have the same bits for any number of threads.
-//! Also treats grasps with uncertain data. It draws random samples of them, and finds the load up to which all contacts stick with a number of
-//! standard deviations in reserve.
+//! Grasps with uncertain data are treated, too: random samples of them, and the load up to which all contacts stick with a number of standard
+//! deviations in reserve.
 //!
 //! Every item is computed independently by the same serial code. With the feature `parallel`, threads of rayon's global pool compute different items
 //! at the same time; no item is divided among threads. Outside this module only the sums over very many contacts of one scene use threads; they give
-//! the same bits, too.
+//! the same bits for any number of threads, too.
 
 mod batch;
 mod contact_errors;

@@ -24,8 +24,8 @@ pub(crate) fn caught<R>(ask: &dyn Fn() -> Result<R, Error>) -> Result<R, Error> 
     )
 }
 
-/// Runs `work` and returns the message of its panic; `None` without a panic. The version of this function for builds without the standard library
-/// catches no panic.
+/// Runs `work` and returns the message of its panic; `None` if it does not panic. The version of this function for builds without the standard
+/// library catches no panic.
 #[cfg(feature = "std")]
 pub(crate) fn fault_in(work: &mut dyn FnMut()) -> Option<String> {
     let panic = std::panic::catch_unwind(std::panic::AssertUnwindSafe(work)).err()?;

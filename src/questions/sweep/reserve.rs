@@ -12,8 +12,8 @@ use crate::grasp::{Engine, Wrench, face_of_struct, inside, same_on_both_sides};
 use crate::numerics::{Vector, numbered};
 use crate::prelude::*;
 
-/// The loads up to which all contacts of a grasp keep sticking with s standard deviations in reserve. The probability that any contact stops sticking
-/// is at most Φ(-s), with the normal distribution Φ. A load of any direction is added to one base load.
+/// The loads up to which all contacts of a grasp keep sticking with s standard deviations in reserve. The probability that any contact ceases to
+/// stick is at most Φ(-s), with the normal distribution Φ. A load of any direction is added to one base load.
 /// [`Grasp::reserve`](crate::ask::Grasp::reserve) returns this type.
 #[derive(Debug, Clone)]
 pub struct Reserve<const C: usize> {
@@ -21,7 +21,7 @@ pub struct Reserve<const C: usize> {
     sigmas: f64,
 }
 
-/// The state of the grasp under the base load: no contact slides, some contact slides or no equilibrium exists, or the equilibrium is undecided.
+/// The behaviour of the grasp under the base load: no contact slides, some contact slides or no equilibrium exists, or the equilibrium is undecided.
 #[derive(Debug, Clone)]
 enum BaseState {
     Sticks(Box<StuckGrasp>),
@@ -40,8 +40,8 @@ impl<const C: usize> Reserve<C> {
     /// the required number of standard deviations in reserve. Infinite if there is no largest multiple; NaN if the equilibrium under the base load is
     /// undecided.
     ///
-    /// Zero if a contact slides under the base load, or stops sticking under it with more than the allowed probability. A contact that is open under
-    /// the base load counts as a failure as soon as it closes, because later events are not computed.
+    /// Zero if a contact slides under the base load, or ceases to stick under it with more than the allowed probability. A contact that is open under
+    /// the base load counts as a failure as soon as it closes, because later changes of contact states are not computed.
     #[must_use]
     pub fn along(&self, direction: &Wrench<C>) -> f64 {
         match &self.rest {
@@ -51,7 +51,7 @@ impl<const C: usize> Reserve<C> {
         }
     }
 
-    /// The reserve that was asked for, as a number s of standard deviations. The allowed probability that any contact stops sticking is Φ(-s), with
+    /// The reserve that was asked for, as a number s of standard deviations. The allowed probability that any contact ceases to stick is Φ(-s), with
     /// the normal distribution Φ.
     #[must_use]
     pub fn sigmas(&self) -> f64 {
@@ -68,7 +68,7 @@ impl Engine {
         sigmas: f64,
         settings: &Settings,
     ) -> Result<Reserve<3>, Error> {
-        // A reserve of more than eight standard deviations means a failure probability below 1e-15, which is less than its rounding error.
+        // A reserve of more than eight standard deviations means a failure probability below 1e-15, which cannot be told from rounding.
         if !(sigmas > 0.0 && sigmas <= 8.0) {
             let what = "standard deviations in reserve";
             return Err(Error::Argument { what, value: sigmas, allowed: "above 0, at most 8" });

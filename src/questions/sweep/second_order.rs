@@ -10,10 +10,11 @@
 //! det(A on the complement of n)^(-1/2),      A = 1 + ψ H / |g|,      ψ = φ(β) / Φ(-β)
 //! ```
 //!
-//! H consists of a diagonal D, the row and column of friction, and the interactions C of each pair of other data. Without C, `det(A on the complement
-//! of n) = det(A) nᵀA⁻¹n` is a sum over the data. The matrix C itself is not computed. To first order in C, nᵀCn is enough. Since C has no diagonal,
-//! its trace on the complement of n is `-nᵀCn`, and the determinant is multiplied by `1 - ψ nᵀCn / |g|`. To second order it is multiplied by `exp(-ψ²
-//! |C|² / 2|g|²)`, where |C|² is the sum of the squares of all entries. This sum includes entries along n, which errs on the safe side.
+//! H consists of a diagonal D, the row and column of friction, and the interactions C (mixed second derivatives) of each pair of other data. Without
+//! C, `det(A on the complement of n) = det(A) nᵀA⁻¹n` is a sum over the data. The matrix C itself is not computed. To first order in C, nᵀCn is
+//! enough. Since C has no diagonal, its trace on the complement of n is `-nᵀCn`, and the determinant is multiplied by `1 - ψ nᵀCn / |g|`. To second
+//! order it is multiplied by `exp(-ψ² |C|² / 2|g|²)`, where |C|² is the sum of the squares of all entries. This sum includes entries along n, which
+//! errs on the safe side.
 
 use super::margin::{ContinuedEffect, FacetMargin};
 use super::tolerances::LEAST_CURVED;
@@ -23,7 +24,7 @@ use crate::prelude::*;
 
 impl FacetMargin {
     /// The failure probability divided by `Φ(-β)`, for a margin that is positive for the data as given. The gradient of the margin at the point of
-    /// failure is stored in `self`. `joint` returns nᵀCn and |C|² for the matrix C of interactions of pairs of data, see the top of this file. The
+    /// failure is stored in `self`. `joint` returns nᵀCn and |C|² for the matrix C of mixed second derivatives with respect to pairs of data. The
     /// argument of `joint` is the factor on the coefficient of friction at the point of failure.
     pub(super) fn curved(
         &self,

@@ -1,6 +1,6 @@
 //! Contact forces as a sum over sources (commands with constant loads, each component of the load), and their changes if data are in error. The
-//! forces due to one source, together with these changes, are its [`SourceForces`]. Contacts stay sticking or open as under the base load. A drive is
-//! a motor, clutch or tendon of a joint.
+//! forces due to one source, together with these changes, are its [`SourceForces`]. The contact states are those under the base load: sticking or
+//! open. A drive is the spring of a joint or tendon of a hand, with its force limit.
 
 use core::slice::from_ref;
 
@@ -15,14 +15,13 @@ use crate::numerics::{Each, IntoList, Size, Vector, largest, numbered};
 use crate::object::ForcesAndTwist;
 use crate::prelude::*;
 
-/// The forces of all contacts and joint drives that one source (commands, or a component of the load) causes for the data as given, together with the
+/// The forces of all contacts and drives that one source (commands, or a component of the load) causes for the data as given, together with the
 /// changes of these forces due to an error of each uncertain datum. For an open contact the gap, m, is stored in place of the force.
 #[derive(Debug, Clone)]
 pub(super) struct SourceForces {
     /// The forces, N, for the data as given; for an open contact its gap, m.
     pub(super) known: Vec<SVector<f64, 3>>,
-    /// For each uncertain datum and each contact or drive, the change of the force (or gap) as a polynomial in the error of this datum, see
-    /// [`Effect`].
+    /// For each uncertain datum and each contact or drive, the change of the force (or gap) as a polynomial in the error of this datum ([`Effect`]).
     pub(super) off: Vec<Vec<Effect>>,
 }
 

@@ -1,13 +1,13 @@
-//! A grasp in which all contacts stick under a base load, and the probability that one of them stops sticking before a further load is applied in
+//! A grasp in which all contacts stick under a base load, and the probability that one of them ceases to stick before a further load is applied in
 //! full. The required reliability `sigmas` is a number of standard deviations: the allowed probability is about Φ(-sigmas), with the normal
-//! distribution Φ. A facet is a plane that bounds a polygonal friction cone, or one that touches a round cone. A source is one cause of contact
-//! forces. A drive is a motor, clutch or tendon of a joint.
+//! distribution Φ. A facet is a plane that bounds a polygonal friction cone, or one that touches a round cone; in the code the facets of a cone are
+//! edges. A source is one cause of contact forces. A drive is the spring of a joint or tendon of a hand, with its force limit.
 //!
 //! While all contacts stick, forces are linear in the load, and margins are concave functions of it. Thus, if all contacts stick under the base load
-//! and with the whole further load, they stick in between. [`failure`](super::failure) gives the probability that a contact fails, i.e. stops
-//! sticking, under one of these two loads. [`union`](super::union) bounds the probability that any contact fails. "Errors" are the errors of the
-//! uncertain data. Their interaction is the change of a contact force due to all errors together, less the sum of the changes due to single errors,
-//! see [`interaction`](super::interaction).
+//! and with the whole further load, they stick in between. [`failure`](super::failure) gives the probability that a contact fails, i.e. ceases to
+//! stick, under one of these two loads. [`union`](super::union) bounds the probability that any contact fails. "Errors" are the errors of the
+//! uncertain data. Their [interaction](super::interaction) is the change of a contact force due to all errors together, less the sum of the changes
+//! due to single errors.
 
 use core::cell::OnceCell;
 
@@ -39,14 +39,15 @@ struct AddedLoad<'a> {
     factor: f64,
 }
 
-/// A grasp in which no contact slides under the base load. It has the contact forces for each source: the commands (displacements of the fingers
-/// without the object), and each component of the load. It also has the failures of contacts that errors of the data may cause under the base load.
+/// A grasp in which no contact slides under the base load. It has the contact forces for each source: the commands (displacements that the fingers
+/// would make if there were no object), and each component of the load. It also has the failures of contacts that errors of the data may cause under
+/// the base load.
 #[derive(Debug, Clone)]
 pub(super) struct StuckGrasp {
     off: PerturbedGrasp,
     edges: Vec<Edges>,
-    /// For each contact point the index of the first point of the same contact; points with one index share one coefficient of friction. For a joint
-    /// drive its own index.
+    /// For each contact point the index of the first point of the same contact; points with one index share one coefficient of friction. For a drive
+    /// its own index.
     contacts: Vec<usize>,
     /// The base load, N and N m, under which no contact slides.
     base_load: Wrench<3>,
@@ -58,7 +59,7 @@ pub(super) struct StuckGrasp {
     by_base_load: SourceForces,
     /// For each contact or drive and each of its facets, the interaction of the errors of all data under the base load.
     joint_at_base: Interactions,
-    /// The failures of contacts (they stop sticking) that errors of the data may cause under the base load.
+    /// The failures of contacts (they cease to stick) that errors of the data may cause under the base load.
     fails_at_base: Failures,
     sigmas: f64,
     /// Standard deviation σ of the logarithm of the coefficients of friction.
@@ -71,7 +72,7 @@ pub(super) struct StuckGrasp {
 }
 
 impl StuckGrasp {
-    /// Computes, under the base load, the interactions of the errors of data and the failures (contacts that stop sticking) that these errors may
+    /// Computes, under the base load, the interactions of the errors of data and the failures (contacts that cease to stick) that these errors may
     /// cause. `source_forces` has, for each source, the contact forces and their changes due to errors of the data. The first source is commands
     /// together with constant loads; then comes each component of the load.
     pub(super) fn new(
@@ -115,8 +116,8 @@ impl StuckGrasp {
         sticking
     }
 
-    /// The allowed probability that any contact stops sticking: `Φ(-sigmas)`, reduced by a quarter ([`NEGLECTED_SHARE`]), because some effects of the
-    /// interactions of data errors are neglected.
+    /// The allowed probability that any contact ceases to stick: `Φ(-sigmas)`, reduced by a quarter ([`NEGLECTED_SHARE`]), because some effects of
+    /// the interactions of data errors are neglected.
     fn allowed(&self) -> f64 {
         (1.0 - NEGLECTED_SHARE) * normal_tail(self.sigmas)
     }

@@ -14,10 +14,9 @@ use crate::prelude::*;
 /// its sign, and zero and infinity are unchanged. A small σ is a relative standard deviation; with σ = 0 the value is exact. All points of a soft
 /// fingertip have the same errors.
 ///
-/// Positions and normals have no natural scale, so their σ are absolute. `σ z` is added to each
-/// coordinate of a contact point, and is the angle by which a normal tilts towards each of its
-/// tangents. Stiffness, command and clearance stay along the axes of the contact frame, which turns
-/// with the normal.
+/// Positions and normals have no natural scale, so their σ are absolute. `σ z` is added to each coordinate of a contact point, and is the angle by
+/// which a normal tilts towards each of its tangents. Stiffness, command and clearance stay along the axes of the contact frame, which turns with the
+/// normal.
 ///
 /// The load is multiplied by one factor as a whole, base load and growing load alike, as for a mass that is not known exactly. A factor keeps the
 /// line in which the load acts, and needs no length by which moments are compared with forces. An uncertainty in newtons would need a point of

@@ -2,7 +2,7 @@
 //! (a plane that bounds a friction cone, or touches a round one). The point of failure is the shortest vector of errors of the data, in standard
 //! deviations, at which the margin vanishes. Its length is the reliability β.
 //!
-//! For failures E_i and a tree whose edges connect pairs (i, j) of them (Hunter, An upper bound for the probability of a union, 1976)
+//! For failures E_i and a tree that connects pairs (i, j) of them (Hunter, An upper bound for the probability of a union, 1976)
 //!
 //! ```text
 //! P(∪ E_i) <= Σ P(E_i) - Σ P(E_i ∩ E_j),      second sum over the pairs of the tree
