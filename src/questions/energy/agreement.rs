@@ -1,5 +1,5 @@
 //! The load factor at which a friction constraint of the quadratic program of minimum energy first binds, i.e. holds as an equality. On a ramp load
-//! and commands change linearly with this factor. A command is the displacement that a finger would make without the object.
+//! and commands change linearly with this factor. A command is the displacement that a finger would make if there were no object.
 
 use nalgebra::SVector;
 
@@ -21,8 +21,8 @@ use crate::prelude::*;
 /// Load and commands are affine functions of the factor τ. The vector of the complementarity problem of the [quadratic program](super::MinimumEnergy)
 /// is therefore affine in τ, too, and its matrix is constant. Lemke's method with τ as the parameter follows the solution from τ = 0; each of its
 /// pivots opens or closes a contact. The range ends at the pivot at which the multiplier of a friction constraint becomes positive. At larger load
-/// factors this multiplier acts on the object like an external force, and Coulomb's law is violated. The paper (see [`energy`](crate::energy)) takes
-/// this load factor for the onset of sliding.
+/// factors this multiplier acts on the object like an external force, and Coulomb's law is violated. The paper on which the crate is based (cited in
+/// [`energy`](crate::energy)) takes this load factor for the onset of sliding.
 #[derive(Debug, Clone)]
 #[non_exhaustive]
 pub enum Agreement<const C: usize> {
@@ -82,8 +82,8 @@ impl Engine {
     }
 }
 
-/// The quadratic program along a ramp. `program` is the program at load factor 0. Per unit of the factor, `change` holds the changes of the contacts'
-/// offsets (command less clearance, m), and `direction` the change of the load (N, N m).
+/// The quadratic program along a ramp. `program` is the program at load factor 0. Per unit of the load factor, `change` holds the changes of the
+/// contacts' offsets (command less clearance, m), and `direction` the change of the load (N, N m).
 struct Line<'g> {
     program: EnergyProgram<'g>,
     change: Vec<SVector<f64, 3>>,

@@ -34,8 +34,8 @@ pub struct Comparison<const C: usize> {
     pub verdict: ComparisonVerdict,
 }
 
-/// The largest differences between the equilibrium and the minimum of energy under one load, and the sizes to which they are compared; none is
-/// negative.
+/// The largest differences between the equilibrium and the minimum of energy under one load, and the reference values with which they are compared;
+/// none is negative.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -51,21 +51,21 @@ pub struct Difference {
     /// Magnitude of the difference between the energies stored in the springs, in the equilibrium and at the minimum, J.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub energy: f64,
-    /// The size to which the difference `displacement` is compared, m: the largest magnitude, over all contacts, of the object's displacement at the
-    /// contact in the equilibrium and of the offset (command less clearance).
+    /// The reference value for `displacement`, m: the largest magnitude, over all contacts, of the object's displacement at the contact in the
+    /// equilibrium and of the offset (command less clearance).
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub displacement_size: f64,
-    /// The size to which the difference `force` is compared: the largest magnitude of a contact force in the equilibrium, N.
+    /// The reference value for `force`: the largest magnitude of a contact force in the equilibrium, N.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub force_size: f64,
-    /// The size to which the difference `energy` is compared: the energy stored in the springs in the equilibrium, J.
+    /// The reference value for `energy`: the energy stored in the springs in the equilibrium, J.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub energy_size: f64,
 }
 
 #[cfg(feature = "serde")]
 impl<const C: usize> Comparison<C> {
-    /// This comparison without the data that JSON does not contain (motions in internal coordinates), so that it equals a comparison read back from
+    /// This comparison without the data that JSON does not contain (motions in internal coordinates). It then equals a comparison read back from
     /// JSON.
     pub(crate) fn written(mut self) -> Self {
         if let MinimumOutcome::Minimum(minimum) = &mut self.minimum {
@@ -76,8 +76,8 @@ impl<const C: usize> Comparison<C> {
 }
 
 impl Difference {
-    /// The largest of three relative differences: of displacement, force and energy. Each difference is divided by the size to which it is compared
-    /// (the field with `_size` in its name). A difference of zero gives the quotient 0, even if the size is zero.
+    /// The largest of three relative differences: of displacement, force and energy. Each difference is divided by its reference value (the field
+    /// with `_size` in its name). A difference of zero gives the quotient 0, even if the reference value is zero.
     #[must_use]
     pub fn relative(&self) -> f64 {
         let part = |difference: f64, size: f64| if difference == 0.0 { 0.0 } else { difference / size };
@@ -141,7 +141,8 @@ impl Difference {
 
 impl<const C: usize> MinimumEnergy<C> {
     /// Whether the object is in equilibrium at the minimum of energy, because the multipliers of friction constraints exert no resultant force or
-    /// moment on it. [`MinimumEnergy::imbalance`] may be rounding, at most 1e-12 of the largest force (moments divided by the size of the grasp).
+    /// moment on it. [`MinimumEnergy::imbalance`] may be rounding, at most 1e-12 of the largest force (moments divided by the size of the grasp, a
+    /// length).
     #[must_use]
     pub fn is_equilibrium(&self) -> bool {
         self.balanced

@@ -24,8 +24,8 @@ pub(super) struct ForceCondition {
     /// Index, from 0, of the facet of the friction cone to which the condition belongs; `None` for the condition that the normal force is not
     /// negative.
     pub(super) facet: Option<usize>,
-    /// The coefficients of the same condition for the force F_i in N, `law·F_i >= 0`. The product is the friction margin `μ F_n - h·F_t` at a facet
-    /// h, or the normal force F_n.
+    /// The coefficients of this condition for the force F_i in N, `law·F_i >= 0`. The product is the friction margin `μ F_n - h·F_t` at a facet h, or
+    /// the normal force F_n.
     law: SVector<f64, 3>,
     /// Unit vector along `K^{1/2} law`, with the contact's stiffness K.
     pub(super) normal: SVector<f64, 3>,
@@ -57,12 +57,12 @@ impl ForceCondition {
         self.law.dot(&forces[self.contact])
     }
 
-    /// Whether these contact forces satisfy the condition up to rounding. `largest` is the size of the largest of these forces, N.
+    /// Whether these contact forces satisfy the condition up to rounding. `largest` is the largest magnitude of these forces, N.
     pub(super) fn holds(&self, forces: &[SVector<f64, 3>], largest: f64) -> bool {
         self.value(forces) >= -SOLVED_ROUNDING * largest * self.weight
     }
 
-    /// Whether the left side of the condition is zero or negative up to rounding for these contact forces. `largest` is the size of the largest of
+    /// Whether the left side of the condition is zero or negative up to rounding for these contact forces. `largest` is the largest magnitude of
     /// them, N.
     pub(super) fn binds(&self, forces: &[SVector<f64, 3>], largest: f64) -> bool {
         self.value(forces) <= SOLVED_ROUNDING * largest * self.weight

@@ -1,5 +1,5 @@
-//! Converts the types about minimum energy between the forms of engine and caller. Vectors of the engine have three components even in the plane,
-//! vectors of the caller have `C` components: 2 in the plane, 3 in space.
+//! Conversions of the types of minimum energy between the engine and the caller. Vectors of the engine have three components even in the plane.
+//! Vectors of the caller have `C` components: 2 in the plane, 3 in space.
 
 use super::agreement::Agreement;
 use super::comparison::{Comparison, ComparisonVerdict, Difference};

@@ -3,7 +3,7 @@
 //! The quadratic program is solved through its optimality conditions (`optimality`). Lemke's method finds the open gaps and the binding friction
 //! constraints. The minimum is then computed anew from the active springs: all springs except the normal springs of contacts with open gaps. The
 //! multipliers of the constraints are forces on the **object** that no contact exerts. The minimum is an equilibrium exactly if these forces have no
-//! resultant force and moment. The command of a contact is the displacement that its finger would make without the object.
+//! resultant force and moment. A command is the displacement that a finger would make if there were no object.
 
 use nalgebra::{Matrix, SVector};
 
@@ -34,7 +34,8 @@ pub enum MinimumOutcome<const C: usize> {
     NoMinimum,
     /// The load does positive work along a motion that no spring resists with all contacts closed: the energy has no lower bound.
     Unbounded {
-        /// A motion without resistance, of unit size as in [`MinimumEnergy::free_motions`], in the sense in which the load does positive work.
+        /// A motion without resistance, in the sense in which the load does positive work. It has unit length, in which a rotation is measured in
+        /// radians times the root mean square distance of the contacts from their centroid.
         motion: Twist<C>,
         /// Work of the load along the motion, positive, J.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
@@ -68,9 +69,9 @@ impl<const C: usize> MinimumOutcome<C> {
 /// ```
 ///
 /// The multiplier λ of the friction constraint of contact i at facet h acts on the object like a force that no contact exerts:
-/// `Σ G_i F_i + W = Σ λ G_i K_i (μ e_n - h)`. A contact with infinite friction has no friction constraint. With a gap g_i, such a contact
-/// could therefore transmit a tangential force F_t across the open gap. Here it has no gap; instead it has the constraint F_n >= 0. (In the
-/// quadratic program of the paper that [`energy`](crate::energy) cites, such a contact has a gap.)
+/// `Σ G_i F_i + W = Σ λ G_i K_i (μ e_n - h)`. A contact with infinite friction has no friction constraint. If it had a gap g_i, it could therefore
+/// transmit a tangential force F_t across the open gap. Here it has no gap; instead it has the constraint F_n >= 0. (In the quadratic program of the
+/// paper that [`energy`](crate::energy) cites, such a contact has a gap.)
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -97,13 +98,13 @@ pub struct MinimumEnergy<const C: usize> {
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub potential_energy: f64,
     /// Motions that stretch no active spring (all springs but the normal springs of open gaps): the twist is determined up to them. They are
-    /// orthogonal to each other and have unit size, in which a rotation is measured in radians times the root mean square distance of the contacts
+    /// orthogonal to each other and have unit length, in which a rotation is measured in radians times the root mean square distance of the contacts
     /// from their centroid.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub free_motions: Vec<Motion<C>>,
-    /// Number of pivots of Lemke's method; 0 if the state in which everything sticks is the minimum.
+    /// Number of pivots of Lemke's method; 0 if everything sticks at the minimum.
     pub pivots: usize,
-    /// Whether the resultant of the multipliers on the object is zero up to rounding; see [`Self::is_equilibrium`].
+    /// Whether the resultant of the multipliers on the object is zero up to rounding: the object is then in equilibrium at the minimum.
     #[cfg_attr(feature = "serde", serde(rename = "is_equilibrium"))]
     pub(super) balanced: bool,
     #[cfg_attr(feature = "serde", serde(skip))]
@@ -177,8 +178,8 @@ impl Engine {
             }
             Err(Unbalanced { motion: None }) => return Ok(MinimumOutcome::Unsolved),
         };
-        // If the state in which everything sticks satisfies all conditions up to rounding, it is the minimum and no pivot is needed. This also avoids
-        // ties in the choice of pivots, which are common in symmetric grasps.
+        // If forces and motion with everything sticking satisfy all conditions up to rounding, they are the minimum and no pivot is needed. This also
+        // avoids ties in the choice of pivots, which are common in symmetric grasps.
         let sticking = Faces { open: vec![false; self.sites().len()], binding: Vec::new() };
         let mut pivots = 0;
         let mut point = Some(program.sticking(&stuck)).filter(|point| program.holds(point, &sticking));

@@ -1,10 +1,11 @@
 //! The optimality conditions of the quadratic program of minimum energy on orthogonal factors, and their solution.
 //!
-//! Let K be the stiffness, a the offsets of the contacts, G the grasp map and q the motion of the object. The offset is the command (displacement of
-//! the finger without the object) less the clearance. A = K^{1/2}Gᵀ has an orthogonal factor Q and a triangular factor R, A = QR, and Π = QQᵀ. Energy
-//! coordinates x = K^{-1/2} F replace the contact forces F. The state in which everything sticks has the motion q⁰ and, in these coordinates, the
-//! forces x⁰ = K^{1/2}(a - Gᵀq⁰). Scaled gaps ĝ = √k_n g, with the gaps g and normal stiffnesses k_n, act along the columns of E. The friction
-//! constraints are N x >= 0 with a matrix N whose rows have unit length; in this file newtons are never written as N. The quadratic program is
+//! Let K be the stiffness, a the offsets of the contacts, G the grasp map and q the motion of the object. The offset is the command (displacement
+//! that the finger would make if there were no object) less the clearance. A = K^{1/2}Gᵀ has an orthogonal factor Q and a triangular factor R, A =
+//! QR, and Π = QQᵀ. Energy coordinates x = K^{-1/2} F replace the contact forces F. If everything sticks, the motion is q⁰ and the forces are, in
+//! these coordinates, x⁰ = K^{1/2}(a - Gᵀq⁰). Scaled gaps ĝ = √k_n g, with the gaps g and normal stiffnesses k_n, act along the columns of E. The
+//! friction constraints are N x >= 0 with a matrix N whose rows have unit length; in this file newtons are never written as N. The quadratic program
+//! is
 //!
 //! ```text
 //! minimise ½|p|² - pᵀQᵀE ĝ + ½|ĝ|² + x⁰ᵀE ĝ      x = x⁰ - Q p + E ĝ,   p = R (q - q⁰)
@@ -85,8 +86,8 @@ impl<'g> EnergyProgram<'g> {
         self.gaps.iter().chain(&self.friction)
     }
 
-    /// The vector of the linear complementarity problem, in the notation of the head of this file: Eᵀx⁰ for the gaps, then N x⁰ for the friction
-    /// constraints. `stuck` are the contact forces if everything sticks, in newtons.
+    /// The vector of the linear complementarity problem: Eᵀx⁰ for the gaps, then N x⁰ for the friction constraints, with the symbols of the head of
+    /// this file. `stuck` are the contact forces if everything sticks, in newtons.
     pub(super) fn vector(&self, stuck: &[SVector<f64, 3>]) -> DVector<f64> {
         values(self.rows(), stuck)
     }
@@ -268,7 +269,7 @@ impl<'g> EnergyProgram<'g> {
         let problem = &self.problem;
         let most = problem.largest_force(&point.forces, &point.twist);
         // The multipliers are those of constraints with normals of unit length, so they have the unit of the energy coordinates x = K^{-1/2} F. Their
-        // rounding is relative to the largest component of x or largest multiplier.
+        // rounding is relative to the largest component of x or the largest multiplier.
         let x = |i: usize| {
             let springs = &problem.sites[i].springs;
             springs.deflection(&point.forces[i]).component_mul(&springs.root()).amax()
