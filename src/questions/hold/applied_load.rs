@@ -1,7 +1,8 @@
 //! The verdict on a load. The load path leads from the base load (load factor 0) to the whole load (factor 1). It is followed further, to the load
-//! factor `Settings::most_load` or to the loss of equilibrium. The base load acts before the load grows; at rest means under it. Motions are small
-//! within the limits of rotation, slip and opening up to which the linear theory is trusted. A drive is a motor, clutch or tendon of a joint. The
-//! loss is the loss of equilibrium at the end of a path. A jump is a motion under constant load to another equilibrium.
+//! factor `Settings::most_load` or to the loss of equilibrium. The base load acts before the load grows; at rest means under it. At first slip the
+//! first contact ceases to stick, or the first drive yields. Motions are small within the limits of rotation, slip and opening up to which the linear
+//! theory is trusted. A drive is the spring of a joint or tendon of a hand, with its force limit. A jump is a motion under constant load to another
+//! equilibrium. A command is the displacement that a finger would make if there were no object.
 
 use core::mem::{Discriminant, discriminant};
 
@@ -57,7 +58,7 @@ pub(crate) struct PathFacts {
 #[derive(Debug, Clone)]
 pub(crate) struct AtRest {
     pub(crate) contacts: Vec<RestingContact>,
-    /// The states (open, sticking, sliding) of contacts and drives in this equilibrium, if a search found them; otherwise empty.
+    /// The contact states (open, sticking, sliding) and drive states in this equilibrium, if a search found them; otherwise empty.
     pub(crate) states: Vec<State>,
 }
 
@@ -110,7 +111,7 @@ impl Engine {
         settings: &Settings,
         extent: VerdictScope,
     ) -> Result<(Verdict<3>, PathFacts), Error> {
-        // The search for the first slip and the load path share the equilibrium under the base load. With many bodies, finding this equilibrium takes
+        // The search for first slip and the load path share the equilibrium under the base load. With many bodies, finding this equilibrium takes
         // most of the time.
         let (onset, rest) = self.onset_from_rest(ramp, settings)?;
         let states = match &rest {
@@ -142,8 +143,8 @@ impl Engine {
         let buckles = too_far.as_ref().is_some_and(|far| far.what == TooFar::Buckles);
         let state = state.filter(|_| !buckles || end.0 > 0);
         let held_to = reached(end);
-        // If the first slip causes a jump whose motion is not small, small motions end at the load factor of the first slip. If the computed load
-        // factor of the first slip exceeds that of the end of small motions by rounding only, the first slip still counts.
+        // If first slip causes a jump whose motion is not small, small motions end at the load factor of first slip. If the computed load factor of
+        // first slip exceeds that of the end of small motions by rounding only, first slip still counts.
         let is_small = |first: &FirstSlip| too_far.is_none() || first.factor <= held_to * (1.0 + NEGLIGIBLE);
         let start = rest_that_slips(&onset, &path);
         let first_slip = self.first_slip(&onset, &events, start.as_ref()).filter(is_small);
@@ -215,7 +216,8 @@ impl Engine {
         Ok((verdict, of_the_path))
     }
 
-    /// [`Verdict::left_out`] for the equilibria under the base load (`rest`) and under the whole load or at the loss (`there`).
+    /// The fraction [`Verdict::left_out`] of the resistance that geometric stiffness adds or takes away, from the equilibria under the base load
+    /// (`rest`) and under the whole load or at the loss (`there`).
     fn left_out_of(
         &self,
         ramp: &Ramp<3>,
@@ -273,8 +275,8 @@ impl Engine {
         }
     }
 
-    /// The loss of equilibrium on a separate path. On it the base load and the commands (prescribed displacements of fingers) grow together from
-    /// zero. `None` if this path reaches both in full.
+    /// The loss of equilibrium on a separate path. On it the base load and the commands grow together from zero. `None` if this path reaches both in
+    /// full.
     fn lost_at_rest(&self, base: &Wrench<3>, settings: &Settings) -> Option<Box<Lost<3>>> {
         let growing = self.growing_from_nothing(base);
         let direction = if growing.is_some() { Wrench::from_components(&[1.0]) } else { *base };
@@ -292,8 +294,8 @@ impl Engine {
     }
 
     /// The [`Holding`] if the whole load is held: [`Holding::Loose`], [`Holding::Sticks`] or [`Holding::Slides`]. A contact has slid if it slides
-    /// under the whole load, slipped in a jump, or began to slide at an event. The slip (tangential displacement) stored in the equilibrium is no
-    /// sign of sliding: a contact that was open has a slip, too.
+    /// under the whole load, slipped in a jump, or began to slide at an event of the path. The slip stored in the equilibrium is no sign of sliding:
+    /// a contact that was open has a slip, too.
     fn holding(
         &self,
         state: &Equilibrium<3>,
@@ -319,8 +321,8 @@ impl Engine {
         }
     }
 
-    /// A proof that no equilibrium under the whole load exists near the loss. `None` without a state at the loss, if the load is not finite or beyond
-    /// 1e50, and if no proof is found.
+    /// A proof that no equilibrium under the whole load exists near the loss. `None` if the equilibrium at the loss is not known, if the load is not
+    /// finite or beyond 1e50, and if no proof is found.
     fn nothing_near(
         &self,
         lost: &Lost<3>,

@@ -142,8 +142,8 @@ impl CaughtJump {
         write!(f, ", {NO_MOMENTUM}")
     }
 
-    /// The jumps among the events of the leg (section of the load program) that applies the whole load. The fraction of this leg that is done is
-    /// therefore the load factor.
+    /// The jumps among the events of the leg (section of the load program) that applies the whole load. On this leg the fraction of the leg that is
+    /// done is the load factor.
     pub(super) fn among(parts: &WholeContacts, events: &[Event<3>]) -> Vec<Self> {
         let caught = |(factor, jump): (f64, &Jump<3>)| {
             let whole = parts.with(&|i| jump.slips.iter().any(|slip| slip.contact.index == i));

@@ -2,10 +2,10 @@
 //! although every contact sticks. A part that is pinched above its centre of mass hangs.
 //!
 //! Along such a free motion the springs store no energy. Therefore the potential of contact forces and loads alone determines the stability. Its
-//! second derivative is the geometric stiffness K_g, which arises because the lever arms of forces turn with the object (see `equilibrium/left_out`).
-//! If K_g is positive, a load W moves the object by q until it hangs, with `K_g q = W` along the free motions. Example: a weight G hangs at the
-//! distance l below a hinge, and a force F pulls it to the side. The weight then hangs at the angle `F l / (G l)` to the vertical. Motions are small
-//! within the limits of rotation, slip and opening up to which the linear theory is trusted. A command is a prescribed displacement of a finger.
+//! second derivative is the geometric stiffness K_g, which arises because the lever arms of forces turn with the object. If K_g is positive, a load W
+//! moves the object by q until it hangs, with `K_g q = W` along the free motions. Example: a weight G hangs at the distance l below a hinge, and a
+//! force F pulls it to the side. The weight then hangs at the angle `F l / (G l)` to the vertical. Motions are small within the limits of rotation,
+//! slip and opening up to which the linear theory is trusted. A command is the displacement that a finger would make if there were no object.
 
 use nalgebra::{DMatrix, SVector};
 
@@ -79,8 +79,8 @@ impl Engine {
     }
 
     /// The principal geometric stiffnesses of contact forces and `load` along the unit motions `free`, each with its motion, in descending order.
-    /// Stiffnesses within rounding are set to zero. `None` if `free` is empty, and in the cases in which, according to [`Self::driven_on`], the
-    /// potential cannot be computed.
+    /// Stiffnesses within rounding are set to zero. `None` if `free` is empty. Also `None` if the potential cannot be computed, because a vacuum
+    /// acts, the point of action of a load is not known, or a free motion moves a joint or shears a closed contact.
     fn free_stiffness(
         &self,
         free: &[Vector],

@@ -1,4 +1,4 @@
-//! Converts verdicts between the forms of engine and caller. Vectors of the engine have three components even in the plane, vectors of the caller
+//! Conversions of verdicts between the engine and the caller. Vectors of the engine have three components even in the plane. Vectors of the caller
 //! have `C` components: 2 in the plane, 3 in space.
 
 use super::caught_jump::CaughtJump;

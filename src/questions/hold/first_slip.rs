@@ -1,6 +1,6 @@
-//! The first slip of a verdict (the answer to the question whether a grasp holds a load). It consists of the least load factor at which a contact
-//! leaves its state (open, sticking, sliding), and of all contacts that leave their states at this factor, up to rounding. The load factor is the
-//! multiple of the growing load that acts: 0 at rest, 1 under the whole load. A jump is a sudden motion under constant load.
+//! First slip in a verdict (the answer to the question whether a grasp holds a load): the event at which the first contact ceases to stick. The
+//! verdict has its load factor, and all contacts whose contact state (open, sticking, sliding) changes at this factor, up to rounding. The load
+//! factor is the multiple of the growing load that acts: 0 at rest, 1 under the whole load. A jump is a sudden motion under constant load.
 
 use crate::equilibrium::{ContactState, DriveState, Equilibrium};
 use crate::grasp::{Engine, PartLabel};
@@ -12,9 +12,9 @@ use crate::prelude::*;
 use super::verdict::FirstSlip;
 
 impl Engine {
-    /// The [`FirstSlip`] of a verdict. `onset` gives its load factor and the contacts that stop sticking; `None` if no contact does. Contacts that
-    /// begin to slide in `events` at the same load factor, up to rounding, are added, but not those after the first jump. If the first slip occurs at
-    /// the start of the path, `start` is the equilibrium at the start, and its sliding contacts are added, too.
+    /// The [`FirstSlip`] of a verdict. `onset` gives its load factor and the contacts that cease to stick; `None` if no contact does. Contacts that
+    /// begin to slide in `events` at the same load factor, up to rounding, are added, but not those after the first jump. If first slip occurs at the
+    /// start of the path, `start` is the equilibrium there, and its sliding contacts are added, too.
     pub(crate) fn first_slip(
         &self,
         onset: &Onset<3>,
@@ -26,8 +26,8 @@ impl Engine {
             matches!(state.contacts[i].state, ContactState::Sliding { .. })
         };
         let factor = if let Onset::At(event) = onset { event.factor } else { 0.0 };
-        // Events after the first jump are not simultaneous with the first slip. Only at load factor 0 may the first slip itself be a jump; events
-        // with jumps are then kept.
+        // Events after the first jump are not simultaneous with first slip. Only at load factor 0 may first slip itself be a jump; events with jumps
+        // are then kept.
         let before_any_jump = events.iter().take_while(|event| factor == 0.0 || event.jump.is_none());
         let is_at_once = |event: &Event<3>| event.leg == 0 && (event.fraction - factor).abs() <= NEGLIGIBLE;
         let at_once = before_any_jump.filter(|event| is_at_once(event)).list();

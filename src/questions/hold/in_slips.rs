@@ -1,6 +1,6 @@
 //! The fast way to a brief verdict (one without equilibria and proofs). The load path is computed with the slips of the sliding contacts as its only
 //! unknowns ([`InSlips`]). Unlike on the full load path, contact states are not searched for at each event. The load factor is the multiple of the
-//! growing load that acts; 1 is the whole load.
+//! growing load that acts; 1 is the whole load. At first slip the first contact ceases to stick.
 
 use nalgebra::SVector;
 
@@ -16,7 +16,7 @@ use crate::search::Settings;
 impl Engine {
     /// The brief verdict (without equilibria and proofs) from a path with the slips of contacts as unknowns. In these cases it returns `None`, and
     /// the caller follows the full load path: a contact opens or stops sliding, no contact slides, or the grasp buckles. `None` also if rounding
-    /// could change the verdict, because the load factor of the first slip or of the end of the path is 1 up to rounding.
+    /// could change the verdict, because the load factor of first slip or of the end of the path is 1 up to rounding.
     pub(super) fn held_in_slips(
         &self,
         ramp: &Ramp<3>,
@@ -25,7 +25,7 @@ impl Engine {
         let InSlips { slid, all_slide, factor, end, forces, farthest } =
             self.in_slips(ramp, settings.most_load.max(1.0), settings)?;
         let (contact, first) = *slid.first()?;
-        // A load factor closer to 1 than this equals the whole load up to rounding: rounding would decide whether the load is held.
+        // A load factor closer to 1 than this equals the whole load up to rounding. Rounding would then decide whether the load is held.
         let is_clear = |factor: f64| (factor - 1.0).abs() > NEGLIGIBLE;
         if !(is_clear(first) && (is_clear(factor) || matches!(end, SlipEnd::Held))) {
             return None;

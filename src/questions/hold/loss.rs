@@ -14,9 +14,9 @@ use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::prelude::*;
 
 impl Engine {
-    /// The event at which the theory of small motions ceases to apply: a motion becomes too large, or the grasp buckles. `None` unless this event
-    /// comes before a loss of equilibrium. Buckling is checked only if the points of action of the load at rest or of the whole load are known. It is
-    /// not checked if the grasp is solved with band matrices (see [`Self::may_buckle`]).
+    /// The end of the theory of small motions: a motion becomes too large, or the grasp buckles. `None` unless it comes before a loss of equilibrium.
+    /// Buckling is checked only if the points of action of the load at rest or of the whole load are known. It is not checked if the grasp is solved
+    /// with band matrices ([`Self::may_buckle`]).
     pub(super) fn end_of_theory(&self, path: &LoadPath<'_, 3>, ramp: &Ramp<3>) -> Option<EndOfSmallMotions> {
         let far = end_before_loss(path);
         let may_buckle = |factor: f64| self.may_buckle(&ramp.load_at(factor));
@@ -87,8 +87,8 @@ impl Engine {
     }
 }
 
-/// If gross slip begins within this fraction of the load at which motions cease to be small, both are reported as one event. A larger fraction would
-/// hide how far the object is held after gross slip.
+/// If gross slip begins within this fraction of the load at which motions cease to be small, the verdict reports both as one. If the fraction were
+/// larger, the verdict would hide how far the object is held after gross slip.
 const SAME_EVENT: f64 = 0.01;
 
 impl<const C: usize> Lost<C> {

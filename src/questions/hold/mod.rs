@@ -22,7 +22,7 @@
 //! h(q) = Σ (μ |u_t,i| - u_n,i)₊ k_n,i (a_n,i - n·G_iᵀq)₊  >=  W·v
 //! ```
 //!
-//! Here μ is the coefficient of friction, a_n the normal command (displacement that the finger would make without the object, m), k_n the normal
+//! Here μ is the coefficient of friction, a_n the normal command (displacement that the finger would make if there were no object, m), k_n the normal
 //! stiffness (N/m) and `( )₊` the positive part. Thus `h` is an upper bound of the negative work of all contacts. Let v be the motion with which the
 //! object leaves at the loss. As q moves away from its value at the loss, the terms of opposed contacts in h change in opposite senses. So h changes
 //! little until one contact opens. The radius of the neighbourhood is the least change of q with which h could reach `W·v`.

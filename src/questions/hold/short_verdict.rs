@@ -1,6 +1,7 @@
 //! A verdict as one row of a table of many verdicts: numbers and words, without contacts and equilibria. The load factor is the multiple of the
-//! growing load that acts; 1 is the whole load. The base load acts already at load factor 0. At gross slip every contact that presses slides. A drive
-//! is a motor, clutch or tendon of a joint, and yields at its limit.
+//! growing load that acts; 1 is the whole load. The base load acts already at load factor 0. At first slip the first contact ceases to stick, at
+//! gross slip every contact that presses slides. A drive is the spring of a joint or tendon of a hand, with its force limit, and yields at this
+//! limit.
 
 use core::fmt;
 
@@ -23,13 +24,13 @@ use crate::words::Words;
 pub struct ShortVerdict {
     /// The conclusion, as in [`Verdict::holding`], without contacts and proofs.
     pub how: VerdictKind,
-    /// The load factor of the first slip; `None` if every contact sticks as far as the load was followed.
+    /// The load factor of first slip; `None` if every contact sticks as far as the load was followed.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<Option<f64>>"))]
     pub first_slip: Option<f64>,
-    /// Largest load factor that is reached with the load held and motions small; see [`Verdict::held_to`].
+    /// Largest load factor that is reached with the load held and motions small ([`Verdict::held_to`]).
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub held_to: f64,
-    /// Load factor from which on every contact slides: gross slip. [`Verdict::everything_slides`] says when it is `None`.
+    /// Load factor from which on every contact slides: gross slip. `None` if a contact sticks under the whole load and at the end of the path.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<Option<f64>>"))]
     pub everything_slides: Option<f64>,
     /// The verb for the loss, also for a loss beyond the whole load; `None` if the load is held as far as it was followed.
@@ -44,21 +45,21 @@ pub struct ShortVerdict {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum VerdictKind {
-    /// The load is held, and every contact sticks; see [`Holding::Sticks`].
+    /// The load is held, and every contact sticks ([`Holding::Sticks`]).
     Sticks,
-    /// The load is held, but contacts slide or have slid before; see [`Holding::Slides`].
+    /// The load is held, but contacts slide or have slid before ([`Holding::Slides`]).
     Slides,
-    /// No contact carries a force under the whole load; see [`Holding::Loose`].
+    /// No contact carries a force under the whole load ([`Holding::Loose`]).
     Loose,
-    /// Equilibrium is lost, or motions cease to be small, before the whole load is applied; see [`Holding::Lost`].
+    /// Equilibrium is lost, or motions cease to be small, before the whole load is applied ([`Holding::Lost`]).
     Lost,
-    /// The base load has no equilibrium, and a proof shows this; see [`Holding::NoRest`].
+    /// The base load has no equilibrium, and a proof shows this ([`Holding::NoRest`]).
     NoRest,
-    /// The grasp loses the base load on a path on which the base load grows from zero; see [`Holding::LostAtRest`].
+    /// The grasp loses the base load on a path on which the base load grows from zero ([`Holding::LostAtRest`]).
     LostAtRest,
-    /// The path could not be followed to the whole load; see [`Holding::Undecided`].
+    /// The path could not be followed to the whole load ([`Holding::Undecided`]).
     Undecided,
-    /// Nothing resists a rotation along which the load drives the object on; see [`Holding::TurnsOver`].
+    /// Nothing resists a rotation along which the load drives the object on ([`Holding::TurnsOver`]).
     TurnsOver,
 }
 
@@ -156,7 +157,7 @@ impl<const C: usize> Lost<C> {
         match &self.way_out {
             way if way.falls(&self.slide, words) => LossVerb::Drops,
             _ if self.takes_the_hand_along() => LossVerb::GivesWay,
-            // A motor at its limit gives way, and the object moves with it although no contact slides.
+            // A drive at its force limit gives way, and the object moves with it although no contact slides.
             WayOut::SlidesOut { .. } if self.slide.is_empty() && !self.drives.is_empty() => {
                 LossVerb::GivesWay
             }

@@ -1,6 +1,7 @@
 //! The verdict on a load that grows from zero in addition to the base load. The load factor is the multiple of the growing load that acts; 1 is the
-//! whole load. A jump is a sudden motion under constant load. Motions are small within the limits of rotation, slip and opening up to which the
-//! linear theory is trusted. A drive is a motor, clutch or tendon of a joint.
+//! whole load. At first slip the first contact ceases to stick, at gross slip every contact that presses slides. A jump is a sudden motion under
+//! constant load. Motions are small within the limits of rotation, slip and opening up to which the linear theory is trusted. A drive is the spring
+//! of a joint or tendon of a hand, with its force limit.
 
 use crate::equilibrium::{Equilibrium, NoEquilibrium, TooFar};
 use crate::grasp::{Motion, PartLabel, WholeContact, Wrench};
@@ -28,8 +29,8 @@ pub struct Verdict<const C: usize> {
     /// The conclusion: whether and how the whole load, factor 1, is held.
     #[cfg_attr(feature = "serde", serde(flatten))]
     pub holding: Holding<C>,
-    /// The first slip: the first contacts that slide, open or would have to pull, and drives that give way. `None` if all contacts stick as far as
-    /// the load was followed.
+    /// First slip: the first contacts that slide, open or would have to pull, and drives that give way. `None` if all contacts stick as far as the
+    /// load was followed.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub first_slip: Option<FirstSlip>,
     /// The jumps (motions under constant load) up to the whole load or the loss, in each of which the object is caught. In a jump contacts begin to
@@ -56,8 +57,8 @@ pub struct Verdict<const C: usize> {
     /// equilibrium under the whole load, or at the loss.
     ///
     /// With the contact forces F under the base load, their arms r and the rotation θ it is `Σ [(F·r) |θ|² - (F·θ)(r·θ)]` divided by the work `ΔW·q`
-    /// of the change ΔW of the load along the motion q. Below 0 the squeeze lowers the resistance, because its arms turn with the object; at -1 or
-    /// less no resistance is left. This fraction is not computed for several bodies, nor if commands or joints change with the load.
+    /// of the change ΔW of the load along the motion q. If it is below 0, these forces lower the resistance, because their arms turn with the object;
+    /// at -1 or less no resistance is left. This fraction is not computed for several bodies, nor if commands or joints change with the load.
     ///
     /// A second number replaces this fraction if it is lower and at most -0.5. It is minus the largest fraction of the springs' resistance to any
     /// motion that the forces under the whole load take away. At -1 the grasp buckles. If the points of action of the load are known, the verdict
@@ -70,7 +71,7 @@ pub struct Verdict<const C: usize> {
     pub left_out: Option<f64>,
     /// The small motion from rest to where the object hangs under the whole load, if nothing resists this motion. The other fields of this verdict
     /// hold for the undeformed geometry, in which the object is lost at once. The forces where it hangs are not computed, so friction may be exceeded
-    /// there. `None` if the object is held, if it would hang only beyond small motions, or if the points of action of the load are not known.
+    /// there. `None` if the object is held, if it hangs only beyond small motions, or if the points of action of the load are not known.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub swing: Option<Motion<C>>,
     /// The loss of equilibrium, or the end of [small motions](crate::Settings::small_motions), whichever comes first; its factor may exceed 1. `None`
@@ -155,13 +156,13 @@ pub enum Holding<const C: usize> {
     },
 }
 
-/// The first contacts and drives that change their states as the load grows, and the load factor at which they do.
+/// The first contacts that cease to stick, and the first drives that give way, as the load grows, and the load factor at which they do.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct FirstSlip {
-    /// The load factor of the first slip; 0 if a contact slides under the base load.
+    /// The load factor of first slip; 0 if a contact slides under the base load.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub factor: f64,
     /// Contacts that begin to slide; at factor 0 the contacts that slide under the base load.
@@ -170,7 +171,7 @@ pub struct FirstSlip {
     /// Contacts that begin to open at this load factor.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub open: Vec<WholeContact>,
-    /// Contacts that are kept closed by assumption, and would need a tensile normal force from this factor on.
+    /// Contacts that are kept closed by assumption, and need a tensile normal force from this factor on.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub would_pull: Vec<WholeContact>,
     /// Names of joints and tendons that reach their limit and give way.
@@ -200,12 +201,12 @@ pub struct Lost<const C: usize> {
     /// Whether all contacts that press slide: gross slip. At the end of small motions it is true if [`Verdict::everything_slides`] is at least 0.99
     /// times `factor` and no link, such as a cable or hinge, carries a force.
     pub is_gross_slip: bool,
-    /// Whether the object is lost at the first slip, because some contact has a [kinetic friction](crate::grasp::Contact::kinetic) that is lower than
-    /// its static friction.
+    /// Whether the object is lost at first slip, because some contact has a [kinetic friction](crate::grasp::Contact::kinetic) that is lower than its
+    /// static friction.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "core::ops::Not::not"))]
     pub falls_at_once: bool,
-    /// The load factor up to which the grasp would hold with kinetic friction from the start. `None` unless it is below `factor`, and some contact
-    /// has a kinetic friction that is lower than its static friction.
+    /// The load factor up to which the grasp would hold if it had kinetic friction from the start. `None` unless it is below `factor`, and some
+    /// contact has a kinetic friction that is lower than its static friction.
     #[cfg_attr(
         feature = "serde",
         serde(default, skip_serializing_if = "Option::is_none", with = "AsComputed::<Option<f64>>")
@@ -238,10 +239,10 @@ pub struct Lost<const C: usize> {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct NoEquilibriumNear {
-    /// Largest displacement from the state of the loss that is covered, m; infinite if no equilibrium exists at all.
+    /// Largest displacement from the position at the loss that is covered, m; infinite if no equilibrium exists at all.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub translation: f64,
-    /// Largest rotation from the state of the loss that is covered, rad.
+    /// Largest rotation from the position at the loss that is covered, rad.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub rotation: f64,
 }

@@ -12,8 +12,8 @@ use crate::serial::AsComputed;
 use crate::words::Words;
 
 /// A contact or body that moves by less than this fraction of the fastest one is taken as fixed. A rotation that moves contacts by less than this
-/// fraction of the displacement of the object is taken as zero. The fraction only chooses the name of a motion. With a larger fraction slow contacts
-/// count as fixed. With a smaller one no contact counts as fixed, so that nothing tips over.
+/// fraction of the displacement of the object is taken as zero. The fraction only chooses the name of a motion. If it were larger, slow contacts
+/// would count as fixed. If it were smaller, no contact would count as fixed, so that nothing would tip over.
 const STANDS: f64 = 0.05;
 
 /// The kind of motion with which an object leaves at a loss, in everyday words.

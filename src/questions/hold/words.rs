@@ -1,6 +1,7 @@
-//! The sentence of a verdict on a load, as one would say it to a colleague. The load factor is the multiple of the growing load that acts; 1 is the
-//! whole load. The base load acts before the load grows. The loss is the loss of equilibrium, or the end of small motions (motions for which the
-//! linear theory is trusted). At gross slip every contact that presses slides. A drive is the motor, clutch or tendon of a joint.
+//! The sentence of a verdict on a load. The load factor is the multiple of the growing load that acts; 1 is the whole load. The base load acts before
+//! the load grows. The loss is the loss of equilibrium, or the end of small motions (motions for which the linear theory is trusted). At first slip
+//! the first contact ceases to stick, at gross slip every contact that presses slides. A drive is the spring of a joint or tendon of a hand, with its
+//! force limit.
 
 use alloc::borrow::Cow;
 use core::fmt;
@@ -18,8 +19,9 @@ use crate::words::{LinkKind, MOST_NAMES, Words, listed, open, opens, printable};
 /// Appended to the sentence if motions pass the limit of small motions.
 const NO_LONGER_SMALL: &str = "; beyond this, results for small motions no longer apply";
 
-/// The clause about contact forces that turn with the parts they act on. By turning they add to the resistance of the springs or take from it. `part` is
-/// the change as a fraction of this resistance, see [`Verdict::left_out`]. If the fraction f is taken away, motions are up to 1/(1 - f) times as large.
+/// The clause about contact forces that turn with the parts they act on. By turning they add to the resistance of the springs or take from it. `part`
+/// is the change as a fraction of this resistance ([`Verdict::left_out`]). If the fraction f is taken away, motions are up to 1/(1 - f) times as
+/// large.
 pub(crate) fn taken_by_forces(part: f64) -> String {
     let words = Words::with_digits(2);
     let (verb, times, so) = if part > 0.0 {
@@ -79,7 +81,7 @@ impl<const C: usize> fmt::Display for Verdict<C> {
                         write!(f, ", but {first} from {} of it on", words.number(first.factor))?;
                     }
                     _ if contacts.is_empty() => {}
-                    // No first slip occurs up to the whole load, but contacts have closed and slid.
+                    // No contact ceases to stick up to the whole load, but contacts have closed and slid.
                     _ => write!(f, ", but {}", subject_and_verb(contacts, "slides", "slide"))?,
                 }
                 self.catches(f)?;
@@ -140,7 +142,7 @@ impl<const C: usize> fmt::Display for Verdict<C> {
 
 impl<const C: usize> Verdict<C> {
     /// Whether the grasp seems to buckle: the contact forces take away all resistance of the springs. Buckling remains undecided, because the point
-    /// of action of the load is unknown: at some points of action the load would steady the object.
+    /// of action of the load is unknown: the load steadies the object at some points of action.
     pub(super) fn leaves_buckling_open(&self) -> bool {
         let is_held = matches!(self.holding, Holding::Sticks | Holding::Slides { .. });
         is_held && self.left_out.is_some_and(|part| part <= -1.0)
@@ -209,13 +211,13 @@ impl<const C: usize> Verdict<C> {
         }
     }
 
-    /// Whether the load is held to a larger factor than this one, and a first slip, if there is any, occurs at a smaller factor.
+    /// Whether the load is held to a larger factor than this one, and first slip, if it occurs, comes at a smaller factor.
     fn continues_beyond(&self, factor: f64) -> bool {
         self.held_to > factor * (1.0 + NEGLIGIBLE)
             && self.first_slip.as_ref().is_none_or(|first| factor > first.factor * (1.0 + NEGLIGIBLE))
     }
 
-    /// Writes the multiples of the load at the first slip and at the loss. Without a loss writes the multiple up to which the path was followed.
+    /// Writes the multiples of the load at first slip and at the loss. If there is no loss, writes the multiple up to which the path was followed.
     fn margins(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (words, lost) = (Words::of(f), self.lost.as_ref().map(|lost| lost.factor));
         let until = self.lost.as_ref().map_or(Cow::Borrowed(""), Lost::until);
@@ -256,7 +258,7 @@ impl<const C: usize> Verdict<C> {
         })
     }
 
-    /// Writes the clause about jumps in which the object slips and is caught; nothing without jumps.
+    /// Writes the clause about jumps in which the object slips and is caught; writes nothing if there are no jumps.
     fn catches(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         CaughtJump::write_clause(
             &self.caught,
@@ -270,7 +272,8 @@ impl<const C: usize> Verdict<C> {
         self.load == Wrench::ZERO
     }
 
-    /// A multiple of the load, such as "8 N (1.6 times this load)". The size in N or N m is written only if the load is a single force or moment.
+    /// A multiple of the load, such as "8 N (1.6 times this load)". The magnitude in N or N m is written only if the load is a single force or
+    /// moment.
     fn times(&self, factor: f64, of: &str, words: Words) -> String {
         let words = words.downwards();
         let times = format!("{} times{of}", words.number(factor));
@@ -280,7 +283,7 @@ impl<const C: usize> Verdict<C> {
         }
     }
 
-    /// The size of the whole load: "950 N", or "the load" if no single number describes it.
+    /// The magnitude of the whole load: "950 N", or "the load" if no single number describes it.
     fn whole(&self, words: Words) -> String {
         let size = self.load.measure().map(|(size, unit)| format!("{} {unit}", words.number(size)));
         let beside = if self.base == Wrench::ZERO { "" } else { " beside the load at rest" };
@@ -306,7 +309,7 @@ pub(super) fn amount_of(size: Option<(f64, &str)>, factor: f64, words: Words) ->
 }
 
 impl FirstSlip {
-    /// The contacts, joints and tendons that stop sticking or give way: "left", "thumb opens". Contacts that slide are named without a verb.
+    /// The contacts, joints and tendons that cease to stick or give way: "left", "thumb opens". Contacts that slide are named without a verb.
     fn leaving_parts(&self) -> String {
         let mut names = mapped(&self.slide, &|part| part.text().into_owned());
         names.extend(mapped(&self.open, &|part| format!("{} {}", part.text(), opens(part.link))));
@@ -316,7 +319,7 @@ impl FirstSlip {
     }
 }
 
-/// Writes the contacts and drives of the first slip with their verbs: "left and right slide, thumb opens".
+/// Writes the contacts and drives of first slip with their verbs: "left and right slide, thumb opens".
 impl fmt::Display for FirstSlip {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let give_way: Vec<_> = mapped(&self.give_way, &|name| printable(name));
@@ -353,8 +356,7 @@ impl<const C: usize> Lost<C> {
         write!(f, "{self:.digits$}")
     }
 
-    /// The event that ends the range of load factors held: "it is lost", or at the end of small motions without gross slip "it turns by more than
-    /// 5.7°".
+    /// The end of the range of load factors held: "it is lost", or at the end of small motions without gross slip "it turns by more than 5.7°".
     fn until(&self) -> Cow<'static, str> {
         match &self.too_far {
             Some(far) if !self.is_gross_slip => far.to_string().into(),
