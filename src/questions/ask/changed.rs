@@ -1,5 +1,5 @@
 //! Copies of a grasp with other data – commands, torques, friction, squeeze – and the same settings. A command is the displacement that a finger
-//! would make without the object.
+//! would make if there were no object. The squeeze is everything by which contacts press at rest without a load.
 
 use crate::numerics::IntoList;
 use alloc::sync::Arc;
@@ -24,8 +24,8 @@ impl<const C: usize> Grasp<C> {
         let loads = &equilibrium.body_loads;
         let changed =
             (!loads.is_empty()).then(|| self.changed(self.engine.with_body_loads(&all_inside(loads))));
-        // The loads give an error only for a body that this grasp does not have. In that case the equilibrium belongs to another grasp, and a copy of
-        // this grasp is returned.
+        // The loads give an error only for a body that this grasp does not have. The equilibrium then belongs to another grasp, and a copy of this
+        // grasp is returned.
         changed.and_then(Result::ok).unwrap_or_else(|| self.clone())
     }
 
@@ -103,7 +103,7 @@ impl<const C: usize> Grasp<C> {
 
     /// This grasp with loads on other bodies that grow in proportion to `load`. A method that applies τ times `load` to the object then also applies
     /// τ times each of `others` to its body. Every load given to a method, base loads included, is replaced by its component along `load`, a multiple
-    /// of `load`. Constant loads are instead given with the bodies ([`Body::load`](crate::grasp::Body::load)).
+    /// of `load`. Constant loads are given with the bodies instead ([`Body::load`](crate::grasp::Body::load)).
     ///
     /// ```
     /// use grasp_lcp::planar::{Bodies, Body, Contact, Link, Wrench};
@@ -156,7 +156,8 @@ impl<const C: usize> Grasp<C> {
         self.not_installed_with_friction(&friction)?.installed_again()
     }
 
-    /// [`Self::with_friction`] without its last step, which adjusts the commands of links (such as cables) so that they have their given tensions.
+    /// This grasp with other coefficients of friction, returned by `friction` for the index of a contact and its present coefficient. The commands of
+    /// links (such as cables) are not yet adjusted to their given tensions.
     pub(crate) fn not_installed_with_friction(
         &self,
         friction: &dyn Fn(usize, f64) -> f64,
@@ -182,21 +183,21 @@ impl<const C: usize> Grasp<C> {
         self.changed(self.engine.with_overlaps(factor))
     }
 
-    /// [`Self::squeezed`] without the last step, which adjusts the commands of links (such as cables) to their given tensions.
+    /// This grasp with its squeeze multiplied by `factor`. The commands of links (such as cables) are not yet adjusted to their given tensions.
     pub(crate) fn not_installed_squeezed(&self, factor: f64) -> Result<Self, Error> {
         self.changed(self.engine.squeezed(factor))
     }
 
-    /// This grasp with new commands of its links, so that each link with a given tension has that tension without load. Called after a change of the
-    /// grasp; without such links nothing changes.
+    /// This grasp with new commands of its links, so that each link with a given tension has that tension without load. It is called after a change
+    /// of the grasp. If no link has a given tension, nothing changes.
     pub(crate) fn installed_again(self) -> Result<Self, Error> {
         let settings = self.settings;
         Ok(Self::of(Arc::unwrap_or_clone(self.engine).installed()?).with(&settings))
     }
 
-    /// This grasp with its squeeze (all that presses without load) multiplied by `factor`. The squeeze consists of commands of contacts, joints and
-    /// tendons, constant torques of joints and constant tensions of tendons. Given normal forces of contacts, vacuums, and the tensions that
-    /// [links](crate::grasp::Link::tension) have without load belong to it, too.
+    /// This grasp with its squeeze (everything by which contacts press at rest without a load) multiplied by `factor`. The squeeze consists of
+    /// commands of contacts, joints and tendons, constant torques of joints and constant tensions of tendons. Given normal forces of contacts,
+    /// vacuums, and the tensions that [links](crate::grasp::Link::tension) have without load belong to it, too.
     ///
     /// # Errors
     /// [`Error::Argument`] unless the factor is finite and at most 1e50. [`Error::Link`] if the grasp cannot hold such a tension of a link.

@@ -15,8 +15,9 @@ impl<const C: usize> Grasp<C> {
     ///
     /// On the round cone the list may be incomplete. It has the equilibrium of [`Self::solve`], and those that Newton's method reaches from the
     /// equilibria on the polygonal cone. An empty list does not prove that no equilibrium exists: [`Self::solve`] returns a proof if it finds one. An
-    /// equilibrium that satisfies several combinations of contact states, as with a contact exactly on the edge of its cone, is listed once. If
-    /// equilibria form a line, one of its points is listed, with the directions of the line in [`neutral_motions`](Equilibrium::neutral_motions).
+    /// equilibrium that satisfies several combinations of contact states, as with a contact force exactly on the boundary of its friction cone, is
+    /// listed once. If equilibria form a line, one of its points is listed, with the directions of the line in
+    /// [`neutral_motions`](Equilibrium::neutral_motions).
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
@@ -32,7 +33,7 @@ impl<const C: usize> Grasp<C> {
     ///
     /// # Errors
     /// [`Error::TooManyStates`] beyond [`Settings::most_states`](crate::Settings::most_states) combinations, [`Error::Wrench`] if the load is not
-    /// finite, or beyond 1e50; [`Error::KineticFriction`] as for [`Self::solve`].
+    /// finite, or beyond 1e50; [`Error::KineticFriction`] if a contact slides whose [kinetic friction](crate::grasp::Contact::kinetic) is lower.
     pub fn equilibria(&self, load: impl Into<Wrench<C>>) -> Result<Vec<Equilibrium<C>>, Error> {
         self.engine.equilibria(&inside(&load.into()), &self.settings).map(outside)
     }
@@ -115,9 +116,9 @@ impl<const C: usize> Grasp<C> {
     }
 
     /// The [kinematic form](crate::forms) of the linear complementarity problem under a load. Its unknowns are gaps and slips, added to the elastic
-    /// trial state in which everything sticks. `None` if no contact can open or slide, if the load does work along a motion that no contact resists,
-    /// or if a number overflows. If `lcp.vector() >= 0`, everything sticks, and the unknowns z = 0 (no gaps and slips) solve the problem. In the
-    /// plane `cone` is ignored.
+    /// trial solution, in which everything sticks. `None` if no contact can open or slide, if the load does work along a motion that no contact
+    /// resists, or if a number overflows. If `lcp.vector() >= 0`, everything sticks, and the unknowns z = 0 (no gaps and slips) solve the problem. In
+    /// the plane `cone` is ignored.
     ///
     /// ```
     /// use grasp_lcp::forms::Row;
@@ -177,10 +178,10 @@ impl<const C: usize> Grasp<C> {
 }
 
 impl<const C: usize> Refutation<C> {
-    /// Verifies this proof for a grasp and a load, and returns its safety factor against rounding. Rounding could hide from the proof only an
-    /// equilibrium in which springs are stretched far more than in the elastic trial state. That is the state in which every contact sticks. The
-    /// factor is a lower bound on the norm of stretches and forces over all contacts (in √J), relative to their norm in the trial state. `None` if
-    /// the proof does not hold for this grasp and this load, or if the factor is below 1e4.
+    /// Verifies this proof for a grasp and a load, and returns its safety factor against rounding. Let the elastic trial solution be that in which
+    /// every contact sticks. Because of rounding, the proof can miss only an equilibrium in which springs are stretched far more than in the trial
+    /// solution. The factor is a lower bound on the norm of stretches and forces over all contacts (in √J), relative to their norm in the trial
+    /// solution. `None` if the proof does not hold for this grasp and this load, or if the factor is below 1e4.
     ///
     /// # Errors
     /// [`Error::Wrench`] if the load is not finite, or beyond 1e50.

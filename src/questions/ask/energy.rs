@@ -6,8 +6,8 @@ use crate::error::Error;
 use crate::grasp::{Wrench, inside, outside};
 use crate::load_path::Ramp;
 
-/// Questions about the quadratic program of minimum energy, compared with the complementarity problem; made by [`Grasp::energy`], see
-/// [`energy`](crate::energy).
+/// Questions about the quadratic program of minimum energy, compared with the complementarity problem, made by [`Grasp::energy`]. The module
+/// [`energy`](crate::energy) describes both.
 #[derive(Debug, Clone, Copy)]
 pub struct Energy<'g, const C: usize>(pub(super) &'g Grasp<C>);
 
@@ -15,9 +15,9 @@ impl<const C: usize> Energy<'_, C> {
     /// The load factors of a ramp, from 0, for which the minimum of energy under friction constraints is an equilibrium. In space the friction cone
     /// is the polygonal cone of the settings.
     ///
-    /// If every contact has friction and touches at factor 0, the range ends at the [first slip](Grasp::onset) on the polygonal cone. This end is
-    /// computed by another method than the first slip, and thus checks it. A frictionless contact may open or close before this end without ending
-    /// the range.
+    /// If every contact has friction and touches at factor 0, the range ends at the load factor of [first slip](Grasp::onset) on the polygonal cone,
+    /// at which the first contact ceases to stick. This end is computed by another method than that load factor, and thus checks it. A frictionless
+    /// contact may open or close before this end without ending the range.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Ramp, Wrench};
@@ -33,7 +33,8 @@ impl<const C: usize> Energy<'_, C> {
     /// ```
     ///
     /// # Errors
-    /// As for [`Self::onset`](Grasp::onset).
+    /// [`Error::Wrench`] if a load of the ramp, [`Error::Contact`] if a command change is not finite or beyond 1e50; [`Error::Size`] if there are
+    /// more or fewer command changes than contacts.
     pub fn agreement(&self, ramp: impl Into<Ramp<C>>) -> Result<Agreement<C>, Error> {
         self.0.engine.agreement_with_minimum_energy(&inside(&ramp.into()), &self.0.settings).map(outside)
     }
@@ -66,9 +67,10 @@ impl<const C: usize> Energy<'_, C> {
     /// The minimum of energy under friction constraints and a load: a quadratic program. In space the friction cone is the polygonal cone of the
     /// settings.
     ///
-    /// The paper (section 5.1, see [`energy`](crate::energy)) poses a quadratic program with all displacements as variables. Its minimum is the
-    /// minimum returned here, unless a contact with infinite friction opens in the paper's program. The springs of finger and object are combined in
-    /// series here, so that rigid sides and series stiffness are allowed. Orthogonal factors (QR) keep the accuracy at large ratios of stiffnesses.
+    /// The paper on which the crate is based (section 5.1, cited in [`energy`](crate::energy)) poses a quadratic program with all displacements as
+    /// variables. Its minimum is the minimum returned here, unless a contact with infinite friction opens in the paper's program. The springs of
+    /// finger and object are combined in series here, so that rigid sides and series stiffness are allowed. Orthogonal factors (QR) keep the accuracy
+    /// at large ratios of stiffnesses.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};

@@ -1,7 +1,8 @@
 //! A grasp, and the questions that it answers. The engine holds the checked data of a grasp and computes with three components, also in the plane. A
-//! command is the displacement that a finger would make without the object. The base load acts before a load grows. At first slip the first contact
-//! stops sticking, at gross slip every contact that presses slides. Motions are small within the limits of rotation, slip and opening up to which the
-//! linear theory is trusted.
+//! command is the displacement that a finger would make if there were no object. The squeeze is everything by which contacts press at rest without a
+//! load. The base load acts before a load grows; the load factor is the multiple of the growing load. At first slip the first contact ceases to
+//! stick, at gross slip every contact that presses slides. Motions are small within the limits of rotation, slip and opening up to which the linear
+//! theory is trusted.
 
 use alloc::sync::Arc;
 
@@ -30,16 +31,16 @@ use crate::prelude::*;
 /// |---|---|
 /// | does the grasp hold a load, and up to which multiple of it | [`hold`](Self::hold) |
 /// | motion of the object and contact forces under a load, or the proof that no equilibrium exists | [`solve`](Self::solve) |
-/// | the load factor at first slip | [`onset`](Self::onset) |
-/// | the angle at first slip while the load turns, such as a tilted weight | [`onset_of_turn`](Self::onset_of_turn) |
-/// | the behaviour just beyond a first slip, and the equilibrium at first slip | [`beyond`](Self::beyond), [`state_at_onset`](Self::state_at_onset) |
-/// | every event of a load program, with slip memory | [`follow`](Self::follow); of thousands of contacts, in steps, [`follow_in_steps`](Self::follow_in_steps) |
+/// | the load factor of first slip | [`onset`](Self::onset) |
+/// | the angle of first slip while the load turns, such as a tilted weight | [`onset_of_turn`](Self::onset_of_turn) |
+/// | the behaviour just beyond first slip, and the equilibrium at first slip | [`beyond`](Self::beyond), [`state_at_onset`](Self::state_at_onset) |
+/// | every event of a load program, which keeps earlier slips | [`follow`](Self::follow); of thousands of contacts, in steps, [`follow_in_steps`](Self::follow_in_steps) |
 /// | squeeze, friction, load, arm or angle needed to hold | [`need`](Self::need); for squeeze in closed form [`least_squeeze`](Self::least_squeeze) |
-/// | the places of the fingers, and their squeezes, with the latest first slip | [`improve`](Self::improve) |
-/// | friction, squeeze, stiffness and loads of supports, from observed slips | [`identify`](Self::identify) |
-/// | the direction in which the least force makes a contact stop sticking | [`weakest_direction`](Self::weakest_direction) |
+/// | finger places and commanded normal forces with the largest load factor of first slip | [`improve`](Self::improve) |
+/// | friction, squeeze, stiffness and loads of supports, from observed slip | [`identify`](Self::identify) |
+/// | the direction in which the least force makes a contact cease to stick | [`weakest_direction`](Self::weakest_direction) |
 /// | how an answer changes with the data | [`sensitivity`](crate::ask::Sensitivity::of) |
-/// | the load at first slip if data are uncertain | [`reserve`](Self::reserve) |
+/// | the load factor of first slip if data are uncertain | [`reserve`](Self::reserve) |
 /// | whether any contact forces could balance a load | [`statics`](Self::statics) |
 /// | all equilibria under a load, the error of one | [`equilibria`](Self::equilibria), [`accuracy`](Self::accuracy), [`distinct`](Self::distinct) |
 /// | many loads, each on a grasp of its own; many questions on all cores | [`hold_batch`](Self::hold_batch), [`need_batch`](Self::need_batch); [`sweep`](crate::sweep) |
@@ -104,7 +105,7 @@ impl<const C: usize> Grasp<C> {
     }
 
     /// A grasp that computes with this engine. Links (such as cables) with a given tension get the commands with which they have this tension without
-    /// load. An error if the grasp cannot hold such a tension.
+    /// load. Returns an error if the grasp cannot hold such a tension.
     fn installed_by(engine: Engine) -> Result<Self, Error> {
         Ok(Self::of(engine.installed()?))
     }
@@ -158,7 +159,7 @@ impl<const C: usize> Grasp<C> {
     }
 
     /// The indices of the contact points that belong to `contacts`. In `contacts` a soft fingertip counts as one contact, while each of its points
-    /// has an index of its own. An error for an index that no contact has.
+    /// has an index of its own. Returns an error for an index that no contact has.
     pub(crate) fn points_of(&self, contacts: &[usize]) -> Result<Vec<usize>, Error> {
         let parts = self.engine.wholes();
         let mut points = Vec::new();
@@ -178,10 +179,10 @@ impl<const C: usize> Grasp<C> {
     /// stick, some slide, or the object is lost: at which fraction of the load, and by which motion. It also has the load factors of first slip and
     /// gross slip, up to [`Settings::most_load`].
     ///
-    /// A load is a [`Wrench`], applied from zero, or a [`Ramp`] with a base load and changes of commands. The equilibrium is followed from the base
-    /// load as by [`Self::follow`], without a search for other equilibria. The verdict is undecided only if this path cannot be continued, because of
-    /// rounding or a limit on computing effort. If the load is lost, [`Lost::nothing_near`](crate::hold::Lost::nothing_near) proves that no
-    /// equilibrium near the loss holds it.
+    /// A load is a [`Wrench`], applied from zero, or a [`Ramp`] with a base load and changes of commands. From the equilibrium under the base load
+    /// one load path is followed ([`Self::follow`]), without a search for other equilibria. The verdict is undecided only if this path cannot be
+    /// continued, because of rounding or a limit on computing effort. If the load is lost, [`Lost::nothing_near`](crate::hold::Lost::nothing_near)
+    /// proves that no equilibrium near the loss holds it.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
@@ -202,7 +203,8 @@ impl<const C: usize> Grasp<C> {
     /// ```
     ///
     /// # Errors
-    /// As for [`Self::onset`].
+    /// [`Error::Wrench`] if a load of the ramp, [`Error::Contact`] if a command change is not finite or beyond 1e50; [`Error::Size`] if there are
+    /// more or fewer command changes than contacts.
     #[doc(alias = "gross slip", alias = "limit load", alias = "grip", alias = "payload", alias = "reserve")]
     pub fn hold(&self, load: impl Into<Ramp<C>>) -> Result<Verdict<C>, Error> {
         self.engine.hold(&inside(&load.into()), &self.settings).map(outside)
@@ -237,7 +239,7 @@ impl<const C: usize> Grasp<C> {
         self.engine.solve(&inside(&load.into()), &self.settings).map(outside)
     }
 
-    /// An error that names the method `question` if the grasp has joints or several bodies.
+    /// Returns an error that names the method `question` if the grasp has joints or several bodies.
     pub(crate) fn refuse_hands(&self, question: &'static str) -> Result<(), Error> {
         self.engine.refuse_hands(question)
     }
@@ -302,8 +304,9 @@ impl<const C: usize> Grasp<C> {
         Ok((outside(verdict), more.farthest))
     }
 
-    /// The size (N) and unit direction of the least force through a point (m) that is too large for the theory of small motions. Under it a rotation,
-    /// slip or opening exceeds its limit while every contact sticks. The force acts in addition to a base load. `None` if no force has this effect.
+    /// The magnitude (N) and unit direction of the least force through a point (m) that is too large for the theory of small motions. Under it a
+    /// rotation, slip or opening exceeds its limit while every contact sticks. The force acts in addition to a base load. `None` if no force has this
+    /// effect.
     pub(crate) fn farthest_direction(
         &self,
         base: &Wrench<C>,
@@ -313,8 +316,8 @@ impl<const C: usize> Grasp<C> {
     }
 
     /// The least margin of sticking under the base load, as a fraction of the largest force. The margin is the distance, N, of a contact force from
-    /// the edge of its friction cone or from opening. It is computed as if every contact stuck, and negative beyond the edge. `None` if all forces
-    /// are zero, or if nothing resists the load.
+    /// the boundary of its friction cone or from opening. It is computed as if every contact stuck, and negative outside the cone. `None` if all
+    /// forces are zero, or if nothing resists the load.
     pub(crate) fn sticking_margin(&self, base: &Wrench<C>) -> Option<f64> {
         self.engine.sticking_margin(&inside(base), &self.settings)
     }
@@ -349,9 +352,9 @@ impl<const C: usize> Grasp<C> {
         &self.door().contacts
     }
 
-    /// The contact frames, orthonormal columns n, t (and t₂): `frame * force` is along the coordinate axes. In space each is a rotation, as for
-    /// [`Rotation3::from_matrix_unchecked`](nalgebra::Rotation3::from_matrix_unchecked); in the plane it is a reflection, since `t = (n_y, -n_x)`
-    /// lies clockwise of n.
+    /// The contact frames, orthonormal columns n, t (and t₂): `frame * force` is along the coordinate axes. In space each is a rotation matrix, which
+    /// [`Rotation3::from_matrix_unchecked`](nalgebra::Rotation3::from_matrix_unchecked) accepts. In the plane it is a reflection, since
+    /// `t = (n_y, -n_x)` lies clockwise of n.
     ///
     /// ```
     /// use grasp_lcp::nalgebra::{Rotation3, Vector3};
@@ -400,9 +403,8 @@ impl<const C: usize> Hand<C> {
     /// The grasp of an object by this hand, with any number of joints. For each [`Link`](crate::grasp::Link) with a
     /// given tension, the command of its spring is computed.
     ///
-    /// # Errors
     /// [`Error::EmptyGrasp`] without contacts; [`Error::Hand`] with the joint, tendon or finger, the field and the allowed values; [`Error::Contact`]
-    /// as for [`Grasp::new`].
+    /// with the first contact, field and value out of range.
     pub fn grasp(self) -> Result<Grasp<C>, Error> {
         const { assert_plane_or_space::<C>() };
         Grasp::installed_by(self.into_inside().engine(None)?)
@@ -412,8 +414,7 @@ impl<const C: usize> Hand<C> {
 impl<const C: usize> Bodies<C> {
     /// The grasp of these bodies. In its answers "the object" is the body that loads act on.
     ///
-    /// # Errors
-    /// [`Error::Body`] with the name of the body and the fault; others as for [`Hand::grasp`].
+    /// [`Error::Body`] with the name of the body and the fault; also the errors of [`Hand::grasp`].
     pub fn grasp(self) -> Result<Grasp<C>, Error> {
         const { assert_plane_or_space::<C>() };
         let (hand, bodies) = self.checked()?;

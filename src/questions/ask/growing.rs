@@ -29,8 +29,8 @@ impl<const C: usize> Grasp<C> {
     }
 }
 
-/// Checks whether loads on bodies can grow in proportion to the load of a scene's question. An error if the question has several loads, a zero load,
-/// or a base load.
+/// Checks whether loads on bodies can grow in proportion to the load of a scene's question. Returns an error if the question has several loads, a
+/// zero load, or a base load.
 pub(crate) fn check_growing<const C: usize>(
     question: &'static str,
     base: Wrench<C>,

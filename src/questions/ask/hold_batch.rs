@@ -1,9 +1,9 @@
 //! Verdicts on many grasps (whether and how each grasp holds its load), on all cores. A row of the batch is one grasp with its base load and its
 //! growing load.
 //!
-//! In most rows every contact sticks. [`screening`](crate::screening), a fast computation of the first slip of many grasps, shows this: the first
-//! slip lies beyond the whole load. The rotation of the object also has to stay within the limit of small motions, up to which the linear theory is
-//! trusted. For all other rows a load path is computed.
+//! In most rows every contact sticks up to the whole load. [`screening`](crate::screening) shows this: a fast computation, for many grasps, of the
+//! load factor of first slip, at which the first contact ceases to stick. The rotation of the object also has to stay within the limit of small
+//! motions, up to which the linear theory is trusted. For all other rows a load path is computed.
 
 use core::ops::Range;
 
@@ -25,7 +25,7 @@ impl<const C: usize> Grasp<C> {
     /// points that all stick then takes a few microseconds; [`screening`](crate::screening) says which contacts it supports. Its load factor of first
     /// slip equals that of [`Self::hold`] up to rounding. A row in which contacts slide one after another, and none opens or sticks again, takes some
     /// ten times as long. Its load factors have the error [`Settings::step_error`] of a path followed in steps. Any other row takes as long as
-    /// [`Self::hold`]. So does a row whose forces are large enough for its stiffness that it might buckle.
+    /// [`Self::hold`]. So does a row whose forces are so large for its stiffness that buckling is not excluded.
     ///
     /// The verdicts are in the order of the rows, and the same to the last bit for any number of threads. An error in one row does not stop the other
     /// rows.
@@ -69,8 +69,8 @@ fn held<const C: usize>(
     let limit = settings.small_motions.rotation;
     let mut verdicts = Vec::with_capacity(rows.len());
     for (number, sticking) in rows.zip(sticking) {
-        // The result of screening is used only if the first slip is clearly beyond the whole load, and the motion clearly small. Otherwise rounding
-        // could change the verdict.
+        // The result of screening is used only if first slip is clearly beyond the whole load, and the motion clearly small. Otherwise rounding could
+        // change the verdict.
         let clear = sticking
             .filter(|sticks| sticks.first.holds_up_to(1.0 + NEGLIGIBLE) && sticks.is_small(limit, 1.0));
         verdicts.push(match clear {

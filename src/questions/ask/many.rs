@@ -33,8 +33,8 @@ impl<const C: usize> Grasp<C> {
     /// ```
     ///
     /// # Errors
-    /// As for [`Self::solve`]; [`Error::Argument`] unless `sigmas` is above 0 and at most 8; as for [`Self::sample`] if a deviation leaves a datum's
-    /// range.
+    /// The errors of [`Self::solve`]; [`Error::Argument`] unless `sigmas` is above 0 and at most 8; the errors of [`Self::sample`] if a deviation
+    /// leaves a datum's range.
     #[doc(alias = "safety margin")]
     #[doc(alias = "reliability")]
     pub fn reserve(
@@ -46,8 +46,9 @@ impl<const C: usize> Grasp<C> {
         self.engine.reserve(&inside(&base.into()), uncertainty, sigmas, &self.settings).map(outside)
     }
 
-    /// The first slips ([`Self::onset`]) of the samples 0, 1, …, `samples` - 1 of [`Self::sample`], in this order. Each sample has its own factor on
-    /// the load. The results are the same to the last bit for any number of threads. An error in one sample does not stop the others.
+    /// The answers of [`Self::onset`] (load factors of first slip) for the samples 0, 1, …, `samples` - 1 of [`Self::sample`], in this order. Each
+    /// sample has its own factor on the load. The results are the same to the last bit for any number of threads. An error in one sample does not
+    /// stop the others.
     #[must_use]
     pub fn onset_of_samples(
         &self,
@@ -64,8 +65,8 @@ impl<const C: usize> Grasp<C> {
     ///
     /// # Errors
     /// [`Error::Contact`] if an uncertainty is not a number, or so large that a datum leaves its range (1e50 at most). [`Error::Link`] if the grasp
-    /// cannot hold the tension of a link with these data. [`Error::NotForHands`] for uncertain positions of contacts if the grasp has joints: a
-    /// displaced contact would follow a joint differently.
+    /// cannot hold the tension of a link with these data. [`Error::NotForHands`] for uncertain positions of contacts if the grasp has joints, because
+    /// a joint moves a displaced contact differently.
     pub fn sample(&self, uncertainty: &Uncertainty, number: u64) -> Result<Self, Error> {
         self.changed(self.engine.sample(uncertainty, number))
     }

@@ -1,5 +1,5 @@
-//! The load factor or the angle at which the first contact stops sticking. On a ramp the load, the commands of fingers (displacements that they would
-//! make without the object), or both change in proportion to a load factor.
+//! The load factor or the angle of first slip, at which the first contact ceases to stick. On a ramp the load, the commands of fingers (displacements
+//! that they would make if there were no object), or both change in proportion to a load factor.
 
 use super::grasp::Grasp;
 use crate::equilibrium::Equilibrium;
@@ -8,9 +8,9 @@ use crate::grasp::{inside, outside};
 use crate::load_path::{Beyond, Onset, OnsetEvent, Ramp, Turn, TurnOnset};
 
 impl<const C: usize> Grasp<C> {
-    /// The load factor at which the first contact stops sticking as a load grows from zero, or along a [`Ramp`]. The answer names the contacts that
-    /// stop sticking, and whether they slide or open. The load factor is exact up to rounding, in the plane and in space on the round cone. It is
-    /// computed without steps or bisection. In the plane there is a linear equation for each edge of a friction cone, on the round cone a quadratic
+    /// The load factor at which the first contact ceases to stick as a load grows from zero, or along a [`Ramp`]. The answer names the contacts that
+    /// cease to stick, and whether they slide or open. The load factor is exact up to rounding, in the plane and in space on the round cone. It is
+    /// computed without steps or bisection. In the plane there is a linear equation for each facet of a friction cone, on the round cone a quadratic
     /// equation for each contact.
     ///
     /// From the event in the answer, [`Self::state_at_onset`] computes the equilibrium at first slip, and [`Self::beyond`] the behaviour just beyond
@@ -44,8 +44,8 @@ impl<const C: usize> Grasp<C> {
         self.engine.onset(&inside(&ramp.into()), &self.settings).map(outside)
     }
 
-    /// The equilibrium at a first slip. All contacts stick, and the contacts that stop sticking at this load are on the edge of their cones. `None`
-    /// if `event` belongs to a grasp with another number of contacts.
+    /// The equilibrium at first slip. All contacts stick, and the forces of the contacts that cease to stick at this load are on the boundaries of
+    /// their friction cones. `None` if `event` belongs to a grasp with another number of contacts.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Wrench};
@@ -64,16 +64,16 @@ impl<const C: usize> Grasp<C> {
         self.engine.state_at_onset(&inside(event), &self.settings).map(outside)
     }
 
-    /// The behaviour of the grasp just beyond a first slip: see [`Beyond`]. `None` if `event` belongs to a grasp with another number of contacts.
+    /// The behaviour of the grasp just beyond first slip ([`Beyond`]). `None` if `event` belongs to a grasp with another number of contacts.
     #[doc(alias = "gross slip")]
     #[must_use]
     pub fn beyond(&self, event: &OnsetEvent<C>) -> Option<Beyond<C>> {
         self.engine.beyond(&inside(event), &self.settings).map(outside)
     }
 
-    /// The angle at which the first contact stops sticking while the load turns. It is exact up to rounding, in the plane and in space on the round
-    /// cone. No steps are needed: the condition of each contact is a trigonometric polynomial of the angle. Its roots are isolated between its
-    /// extrema, so that none is missed.
+    /// The angle at which the first contact ceases to stick while the load turns. It is exact up to rounding, in the plane and in space on the round
+    /// cone. No steps are needed: the sticking condition of each contact is a trigonometric polynomial of the angle. Its roots are isolated between
+    /// its extrema, so that none is missed.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, Onset, Turn};

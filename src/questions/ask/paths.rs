@@ -1,4 +1,5 @@
-//! Load paths of load programs, followed from event to event or in steps, and loads that repeat. A leg is a section of a load program.
+//! Load paths of load programs, followed from event to event or in steps, and loads that repeat. A leg is a section of a load program. An event is a
+//! change of contact states at one point of a load path.
 
 use super::grasp::Grasp;
 use crate::error::Error;
@@ -8,8 +9,7 @@ use crate::shake::Shaken;
 
 impl<const C: usize> Grasp<C> {
     /// Follows a load program from the equilibrium under `start` that [`Self::solve`] finds with the finger commands of the grasp. In space the
-    /// friction cone is round. Events after the start are computed only when the returned path is iterated. See [`LoadPath`], and [`Leg`] for an
-    /// example.
+    /// friction cone is round. Events after the start are computed only when the returned [`LoadPath`] is iterated. [`Leg`] has an example.
     ///
     /// The path ends as soon as a suction cup is open all around. If nothing resists the object any more, the object moves freely until a gap closes.
     /// If this free motion is small, the path continues after it ([`Jump::reaches`](crate::load_path::Jump::reaches)). For hundreds of contacts and
@@ -26,7 +26,7 @@ impl<const C: usize> Grasp<C> {
 
     /// Whether the grasp survives a load that repeats. From rest under `base`, a closed cycle of legs (sections of a load program) is followed again
     /// and again. The grasp may come to rest, or contacts slide to and fro for ever. Or the object walks, by the same motion in every cycle, or is
-    /// lost in some cycle. [`Shaken`] says in a sentence which of these happens; see [`shake`](crate::shake). At most
+    /// lost in some cycle. [`Shaken`] says in a sentence which of these happens; the module [`shake`](crate::shake) describes the method. At most
     /// [`Settings::most_cycles`](crate::Settings::most_cycles) cycles are followed.
     ///
     /// ```
@@ -48,7 +48,8 @@ impl<const C: usize> Grasp<C> {
     /// ```
     ///
     /// # Errors
-    /// As for [`Self::follow`]; [`Error::NotClosed`] for a cycle that does not end where it begins.
+    /// [`Error::Wrench`] if a load, [`Error::Contact`] if a command of a leg is not finite or beyond 1e50; [`Error::Size`] if a leg has more or fewer
+    /// commands than there are contacts; [`Error::NotClosed`] for a cycle that does not end where it begins.
     #[doc(alias = "shakedown", alias = "ratcheting", alias = "vibration", alias = "cyclic load")]
     pub fn shake(&self, base: impl Into<Wrench<C>>, cycle: &[Leg<C>]) -> Result<Shaken<C>, Error> {
         self.engine.shake(&inside(&base.into()), &all_inside(cycle), &self.settings).map(outside)
@@ -58,11 +59,11 @@ impl<const C: usize> Grasp<C> {
     /// and torsion. `error` is the estimated error that one leg may add to the contact forces, relative to the largest of them, such as 1e-5. A step
     /// costs a few passes over all contacts. The result is the same for any number of threads. The length of a step is proportional to the square
     /// root of `error`. Suction cups keep their vacuum even if their lips open. A path in steps ends as soon as nothing resists the object any more.
-    /// See [`SteppedPath`].
+    /// The answer is a [`SteppedPath`].
     ///
     /// If no step continues the path, its end is either [lost](crate::load_path::PathEnd::Lost) or [undecided](crate::load_path::PathEnd::Undecided).
-    /// It is lost if the speed of the object, per unit of load, grows without bound towards the end. It is also lost if no rates of forces and motion
-    /// exist, whatever the states of the contacts on the edge of their cones.
+    /// It is lost if the speed of the object, per unit of load, grows without bound towards the end. It is also lost if the forces and the motion
+    /// have no rates with any combination of states of the contacts whose forces are on the boundaries of their cones.
     ///
     /// In the plane friction forces do not turn: a step errs only if contacts begin to slide, stop, open or close within it.
     ///
@@ -90,7 +91,7 @@ impl<const C: usize> Grasp<C> {
     /// ```
     ///
     /// # Errors
-    /// As for [`Self::follow`]; [`Error::NotForHands`]; [`Error::KineticFriction`]; [`Error::Argument`] unless `error` is from 1e-9 to 1.
+    /// The errors of [`Self::follow`]; [`Error::NotForHands`]; [`Error::KineticFriction`]; [`Error::Argument`] unless `error` is from 1e-9 to 1.
     pub fn follow_in_steps(
         &self,
         start: impl Into<Wrench<C>>,

@@ -1,5 +1,5 @@
-//! Rows of a batch, each a grasp with its loads, and the first slips that screening computes for the rows. The base load acts before the other load
-//! grows.
+//! Rows of a batch, each a grasp with its loads, and the load factors of first slip that screening computes for the rows. At first slip the first
+//! contact ceases to stick. The base load acts before the other load grows.
 
 use crate::numerics::{IntoList, Space};
 use core::ops::Range;
@@ -30,8 +30,8 @@ pub(crate) fn answers_of_rows<T: Send>(
     map_in_order(&chunks, |chunk| answers(chunk.clone())).into_iter().flatten().list()
 }
 
-/// The first slip of each row, and the larger of the object's rotations under the base load and under the whole load. `None` for a row whose contacts
-/// screening does not support. Also `None` if `is_meant`, which gets the contacts and base load of a row, returns false.
+/// For each row the load factor of first slip, and the larger of the object's rotations under the base load and under the whole load. `None` for a
+/// row whose contacts screening does not support. Also `None` if `is_meant`, which gets the contacts and base load of a row, returns false.
 pub(crate) fn while_sticking<const C: usize>(
     rows: Range<usize>,
     row: &RowOf<'_, C>,

@@ -1,5 +1,6 @@
-//! Derivatives of answers (equilibria, load factors at first slip) with respect to the data of the grasp. A margin of sticking is the distance of a
-//! contact force from the edge of its friction cone, or the normal force. A motion is free if no spring resists it.
+//! Derivatives of answers (equilibria, load factors of first slip) with respect to the data of the grasp. At first slip the first contact ceases to
+//! stick. A margin of sticking is the distance of a contact force from the boundary of its friction cone, or the normal force. A motion is free if no
+//! spring resists it.
 
 use super::grasp::Grasp;
 use crate::equilibrium::Equilibrium;
@@ -11,11 +12,10 @@ use crate::load_path::{Derivative, OnsetEvent, OnsetMargins, Parameter};
 pub struct Sensitivity<'g, const C: usize>(pub(super) &'g Grasp<C>);
 
 impl<'g, const C: usize> Sensitivity<'g, C> {
-    /// The margins of sticking that vanish at a first slip. They give the derivatives of the load factor at first slip with respect to every
-    /// parameter.
+    /// The margins of sticking that vanish at first slip. They give the derivatives of the load factor of first slip with respect to every parameter.
     ///
-    /// `None` if a contact closed before the first slip: the first slip then depends on how far that contact slipped before it closed. Also `None` if
-    /// a contact closes at the first slip and slides at once. Finally `None` for the event of a grasp with another number of contacts.
+    /// `None` if a contact closed before first slip: the load factor then depends on how far that contact slipped before it closed. Also `None` if a
+    /// contact closes at first slip and slides at once. Finally `None` for the event of a grasp with another number of contacts.
     ///
     /// ```
     /// use grasp_lcp::load_path::Parameter;
@@ -40,8 +40,8 @@ impl<'g, const C: usize> Sensitivity<'g, C> {
         OnsetMargins::new(&self.0.engine, &inside(event))
     }
 
-    /// Derivative of an equilibrium of this grasp with respect to one parameter while every contact keeps its state. It takes one linear solve and is
-    /// exact. For an equilibrium of a load path, the slips before it stay constant.
+    /// Derivative of an equilibrium of this grasp with respect to one parameter while every contact keeps its contact state. It takes one linear
+    /// solve and is exact. For an equilibrium of a load path, the slips before it stay constant.
     ///
     /// `None` if an index is out of range, or the equilibrium has another number of contacts. `None` also for the position of a contact of a hand,
     /// and if changed geometry would resist a motion that is free now. `None` finally if no equilibrium with these contact states balances the

@@ -1,5 +1,5 @@
-//! The least factor of the squeeze with which all contacts stick, and the direction in which the least force makes a contact stop sticking. The base
-//! load is constant and acts together with that force.
+//! The least factor on commands and vacuums with which all contacts stick, and the direction in which the least force makes a contact cease to stick.
+//! The base load is constant and acts together with that force.
 
 use super::grasp::Grasp;
 use crate::error::Error;
@@ -42,16 +42,16 @@ impl<const C: usize> Grasp<C> {
         self.engine.least_squeeze(&inside(loads), &self.settings).map(outside)
     }
 
-    /// The direction in which the least force through a point (m) makes a contact stop sticking, in addition to a base load; in space on the round
+    /// The direction in which the least force through a point (m) makes a contact cease to stick, in addition to a base load; in space on the round
     /// cone.
     ///
     /// For each facet of a friction cone the worst direction has a closed form. With the contact forces F⁰ under the base load, a force x gives
     /// contact forces `F⁰ + A x`. Here A is the influence matrix of the grasp and a the row of the facet, whose condition is `a·F >= 0`. The shortest
-    /// x that breaks it lies along `-Aᵀa` and has the size `a·F⁰ / |Aᵀa|`.
+    /// x that breaks it lies along `-Aᵀa` and has the magnitude `a·F⁰ / |Aᵀa|`.
     ///
-    /// The round cone has a facet at every angle φ, and the least force over all φ is sought. At every φ a force of size s must not break the
-    /// condition, i.e. `a·F⁰ - s |Aᵀa| >= 0`. The squares of both terms are trigonometric polynomials in φ, see [`squeeze`](crate::squeeze). All sign
-    /// changes of their difference are found. The result is therefore the least of all minima, up to rounding.
+    /// The round cone has a facet at every angle φ, and the least force over all φ is sought. At every φ a force of magnitude s must not break the
+    /// condition, i.e. `a·F⁰ - s |Aᵀa| >= 0`. The squares of both terms are trigonometric polynomials in φ. All sign changes of their difference are
+    /// found. The result is therefore the least of all minima, up to rounding. The module [`squeeze`](crate::squeeze) describes the method.
     ///
     /// ```
     /// use grasp_lcp::planar::{Contact, Grasp, WeakestDirection, Wrench};

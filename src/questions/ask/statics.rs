@@ -1,6 +1,7 @@
-//! Static questions: which loads some contact forces could balance. The base load is constant and acts before the loads of a question. A budget is an
-//! upper limit of the normal force of each contact, or of the sum of all normal forces. A command is a prescribed displacement of a finger; the
-//! squeeze is all that presses without a load. A bonded contact neither opens nor slips.
+//! Static questions: which loads can be balanced by some contact forces inside the friction cones. The base load is constant and acts before the
+//! loads of a question. A budget is an upper limit of the normal force of each contact, or of the sum of all normal forces. A command is the
+//! displacement that a finger would make if there were no object. The squeeze is everything by which contacts press at rest without a load. A bonded
+//! contact neither opens nor slips.
 
 use super::grasp::Grasp;
 use crate::equilibrium::{Decomposition, Equilibrium};
@@ -62,7 +63,8 @@ impl<const C: usize> Statics<'_, C> {
     /// first order.
     ///
     /// # Errors
-    /// As for [`Self::force_closure`].
+    /// [`Error::NotForHands`] for a grasp by a hand, [`Error::NotForJoints`] for bodies that a hand holds or a given force presses. [`Error::Vacuum`]
+    /// if contacts alone do not hold the object and suction cups hold some loads.
     pub fn form_closure(&self) -> Result<Closure<C>, Error> {
         self.0.engine.form_closure().map(outside)
     }
@@ -100,9 +102,9 @@ impl<const C: usize> Statics<'_, C> {
             .map(outside)
     }
 
-    /// The measure ε of Ferrari and Canny: the size, N, up to which contact forces within a budget balance loads of every direction. Moments count as
-    /// forces after division by a length, see [`WrenchScale`]. By default this length is the largest distance of a contact from the centroid of the
-    /// contacts, about which moments are taken. Friction cones in space are round unless the settings ask for polygons.
+    /// The measure ε of Ferrari and Canny: the magnitude, N, up to which contact forces within a budget balance loads of every direction. Moments
+    /// count as forces after division by a length ([`WrenchScale`]). By default this length is the largest distance of a contact from the centroid of
+    /// the contacts, about which moments are taken. Friction cones in space are round unless the settings ask for polygons.
     ///
     /// Pulls of suction cups are not part of the budget. A load counts as balanced if contact forces within the budget, together with these pulls,
     /// balance it.
@@ -135,7 +137,8 @@ impl<const C: usize> Statics<'_, C> {
     /// limits their number.
     ///
     /// # Errors
-    /// As for [`Statics::ferrari_canny`](crate::ask::Statics::ferrari_canny); [`Error::Argument`] for a scale whose point or length is out of range.
+    /// The errors of [`Statics::ferrari_canny`](crate::ask::Statics::ferrari_canny); [`Error::Argument`] for a scale whose point or length is out of
+    /// range.
     pub fn ferrari_canny_scaled(
         &self,
         budget: Budget,
@@ -160,7 +163,8 @@ impl<const C: usize> Statics<'_, C> {
     /// ```
     ///
     /// # Errors
-    /// As for [`Statics::load_limit`](crate::ask::Statics::load_limit).
+    /// [`Error::Wrench`] if the load is not finite, or beyond 1e50; [`Error::Argument`] for a load or a budget of zero; [`Error::Unlimited`] for a
+    /// contact that is bonded, pulls or never slides; [`Error::NotForHands`] for a grasp by a hand.
     pub fn budget_needed(&self, load: impl Into<Wrench<C>>, budget: Budget) -> Result<[f64; 2], Error> {
         Ok(match self.load_limit(Wrench::ZERO, load, budget)? {
             LoadLimit::Factor { at_least, at_most, .. } => [1.0 / at_most, 1.0 / at_least],
@@ -195,9 +199,9 @@ impl<const C: usize> Statics<'_, C> {
     }
 
     /// The shakedown factor of loads that are added to a base load, one at a time, in any order and again and again. It is the largest multiple of
-    /// these loads under which no contact needs to slide for ever. That is, some residual slips, which stay constant, keep every contact inside its
-    /// friction cone under each load. At a larger multiple the grasp never comes to rest as long as no contact opens. [`Grasp::shake`] shows whether
-    /// it comes to rest at a smaller one. In space a polygon around the round cone is used, with as many facets as
+    /// these loads under which no contact needs to slide for ever. That is, some residual slips, which stay constant, keep every contact force inside
+    /// its friction cone under each load. At a larger multiple the grasp never comes to rest as long as no contact opens. [`Grasp::shake`] shows
+    /// whether it comes to rest at a smaller one. In space a polygon around the round cone is used, with as many facets as
     /// [`Settings::cone`](crate::Settings::cone). `None` if no slips keep the grasp at rest under the base load, or if nothing resists a load.
     ///
     /// Of the static questions only this one depends on springs and commands: slips push contacts against each other.

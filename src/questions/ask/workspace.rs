@@ -1,6 +1,6 @@
-//! Reusable memory for computing many first slips, one after another, in loops that must not wait for an allocator. At first slip the first contact
-//! stops sticking. On a ramp a load, commands of fingers, or both change in proportion to a load factor, in addition to a constant base load. The
-//! engine computes with vectors of three components, also in the plane.
+//! Scratch buffers for computing the load factors of many first slips, one after another, in loops that must not wait for an allocator. At first slip
+//! the first contact ceases to stick. On a ramp a load, commands of fingers, or both change in proportion to a load factor, in addition to a constant
+//! base load. The engine computes with vectors of three components, also in the plane.
 
 use super::grasp::Grasp;
 use crate::equilibrium::Settings;
@@ -9,13 +9,13 @@ use crate::grasp::{Wrench, outside};
 use crate::load_path::{Onset, Ramp};
 use crate::numerics::Memory;
 
-/// Reusable memory for computing many first slips, one after another, in loops that must not wait for an allocator. Grasp and ramp may differ from
-/// call to call. The answers equal those of [`Grasp::onset`].
+/// Scratch buffers for computing the load factors of many first slips, one after another, in loops that must not wait for an allocator. Grasp and
+/// ramp may differ from call to call. The answers equal those of [`Grasp::onset`].
 ///
-/// From the second call on no memory is allocated if the grasp has no more contacts than before, and a single contact stops sticking first. Memory is
-/// allocated if several contacts reach the edges of their cones together up to rounding, or a gap closes before the first slip. It is also allocated
-/// if a contact slides under the base load, or sticks there only up to rounding. In these cases the states of contacts have to be searched for. The
-/// first call with a grasp allocates its factorised matrices; with more than 256 contacts every call does.
+/// From the second call on nothing is allocated if the grasp has no more contacts than before, and a single contact ceases to stick first. Buffers
+/// are allocated if the forces of several contacts reach the boundaries of their cones together up to rounding, or a gap closes before first slip.
+/// They are also allocated if a contact slides under the base load, or sticks there only up to rounding. In these cases contact states have to be
+/// searched for. The first call with a grasp allocates its factorised matrices; with more than 256 contacts every call does.
 ///
 /// ```
 /// use grasp_lcp::planar::{Contact, Grasp, OnsetWorkspace, Ramp, Wrench};
@@ -41,22 +41,22 @@ pub struct OnsetWorkspace<const C: usize> {
     /// The last answer with vectors of `C` components; `kept` is the same answer with the three components of the engine.
     returned: Option<Onset<C>>,
     kept: Option<Onset<3>>,
-    /// The last ramp, with the three components of the engine. The next ramp is written into its memory.
+    /// The last ramp, with the three components of the engine. The next ramp is written into its buffers.
     ramp: Option<Ramp<3>>,
 }
 
 impl<const C: usize> OnsetWorkspace<C> {
-    /// A workspace without memory, for answers with these settings.
+    /// A workspace without allocated buffers, for answers with these settings.
     #[must_use]
     pub fn new(settings: Settings) -> Self {
         Self { settings, ..Self::default() }
     }
 
-    /// The first slip of a grasp along a ramp, as from [`Grasp::onset`] but with the settings of the workspace. The reference is valid until the next
-    /// call; clone the answer to keep it.
+    /// The load factor of first slip of a grasp along a ramp, computed like [`Grasp::onset`] but with the settings of the workspace. The reference is
+    /// valid until the next call; clone the answer to keep it.
     ///
     /// # Errors
-    /// As for [`Grasp::onset`].
+    /// The errors of [`Grasp::onset`].
     pub fn onset(&mut self, grasp: &Grasp<C>, ramp: &Ramp<C>) -> Result<&Onset<C>, Error> {
         if let (Some(Onset::At(returned)), Some(Onset::At(kept))) = (&mut self.returned, &mut self.kept) {
             returned.exchange(kept);
