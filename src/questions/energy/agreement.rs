@@ -61,7 +61,6 @@ impl<const C: usize> Agreement<C> {
 }
 
 impl Engine {
-    /// Implements [`Energy::agreement`](crate::ask::Energy::agreement).
     pub(crate) fn agreement_with_minimum_energy(
         &self,
         ramp: &Ramp<3>,

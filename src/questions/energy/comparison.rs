@@ -162,7 +162,6 @@ impl<const C: usize> MinimumEnergy<C> {
 }
 
 impl Engine {
-    /// Implements [`Energy::compare`](crate::ask::Energy::compare).
     pub(crate) fn compare_with_minimum_energy(
         &self,
         load: &Wrench<3>,

@@ -160,7 +160,6 @@ pub struct Binding {
 }
 
 impl Engine {
-    /// Implements [`Energy::minimum`](crate::ask::Energy::minimum).
     pub(crate) fn minimum_energy(
         &self,
         load: &Wrench<3>,

@@ -33,11 +33,11 @@ pub(crate) enum VerdictScope {
     /// Like `Whole`, but the path does not end where motions cease to be small before the whole load is reached. It is followed further, to the whole
     /// load or the loss. [`PathFacts::farthest`] is then the largest ratio of a motion to its limit up to the whole load or the loss.
     Measured,
-    /// Like `Measured`, but without the proof that no equilibrium exists near the loss, and without the data that only sentences need. The fraction
-    /// of the base load at which equilibrium is lost is not computed either. It would need a path on which the base load grows from zero.
+    /// Like `Measured`, but without three things: the proof that no equilibrium exists near the loss, the data that only sentences need, and the
+    /// fraction of the base load at which equilibrium is lost. That fraction takes a path on which the base load grows from zero.
     Decided,
-    /// Only the fields that a [`super::ShortVerdict`] needs: no equilibria, no proofs and no data for sentences. The path is followed as far as for
-    /// `Whole`.
+    /// Only the fields that a [`super::ShortVerdict`] needs: no equilibria, no proofs and no data for sentences. The path is followed to
+    /// `Settings::most_load`, to the loss of equilibrium or to the end of small motions.
     Brief,
 }
 
@@ -86,7 +86,6 @@ impl RestingContact {
 }
 
 impl Engine {
-    /// Implements [`Grasp::hold`](crate::ask::Grasp::hold).
     pub(crate) fn hold(&self, ramp: &Ramp<3>, settings: &Settings) -> Result<Verdict<3>, Error> {
         Ok(self.hold_with(ramp, settings, VerdictScope::Whole)?.0)
     }

@@ -165,8 +165,8 @@ impl fmt::Display for CaughtJump {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let words = Words::of(f);
         let longest = largest(&self.slips, &|slip| slip.distance);
-        // Slips below this fraction of the longest slip of the jump are taken as rounding. With a larger fraction, contacts that matter would not be
-        // named.
+        // Slips below this fraction of the longest slip of the jump are taken as rounding. If the fraction were larger, contacts that matter would
+        // not be named.
         let slips = self.slips.iter().filter(|slip| slip.distance > 1e-6 * longest);
         let slips = slips.map(|slip| format!("{} at {}", words.length(slip.distance), slip.contact.text()));
         let slips: Vec<_> = slips.list();

@@ -124,7 +124,7 @@ pub enum Holding<const C: usize> {
         contacts: Vec<WholeContact>,
     },
     /// Contacts stick and carry the load, but nothing resists a rotation along which the load drives the object on, for example a part held below its
-    /// centre of mass. Only loads whose points of action are known are checked; see [`Wrench`](crate::planar::Wrench::force_at).
+    /// centre of mass. Only loads whose points of action are known ([`Wrench::force_at`](crate::planar::Wrench::force_at)) are checked.
     TurnsOver {
         /// The unit motion that nothing resists.
         motion: Motion<C>,

@@ -160,8 +160,8 @@ pub(super) fn fitted(model: &Model<'_>) -> Result<Fitted, Error> {
 
 /// A start for a second search; `None` if `fit` needs none. Some parameters may be multiplied ([`changing`]): coefficients of friction or, if no
 /// friction is sought, squeezes and carried forces. A second search is needed if the predicted load of some observation differs from the observed
-/// one, but depends on none of these parameters. An example is a box of which the model predicts that it tips, whereas with less friction it would
-/// slide before.
+/// one, but depends on none of these parameters. An example is a box of which the model predicts that it tips. With less friction it slides before it
+/// tips.
 ///
 /// These parameters are halved if the observed load is below its prediction, else doubled, until the prediction depends on them; at most twelve
 /// times.

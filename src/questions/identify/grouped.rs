@@ -84,7 +84,7 @@ impl Grouped {
         let variance = sure + summed(&self.groups, &|group| group.moves.dot(unknown).powi(2));
         let made_up: Vec<_> = mapped(&self.groups, &|group| &group.made_up * unknown);
         let sums: Vec<_> = paired(&self.groups, &made_up, &|(group, a)| &group.tells * a);
-        // Covariances of the groups' contributions to the unknown if all rows of derivatives were independent.
+        // Covariances of the groups' contributions to the parameter if all rows of derivatives were independent.
         let covariance = |g: usize, h: usize| {
             let own = if g == h { made_up[g].dot(&sums[g]) } else { 0.0 };
             own - sums[g].dot(&sums[h])

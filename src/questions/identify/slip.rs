@@ -16,7 +16,7 @@ use crate::numerics::tolerances::NEGLIGIBLE;
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub enum SlipKind {
-    /// The first contact stopped sticking.
+    /// The first contact ceased to stick.
     First,
     /// The object was lost: every contact that pressed slid, or the object tipped over.
     #[default]
@@ -61,7 +61,7 @@ pub struct Slip<const C: usize> {
     /// Factor on the squeeze of the scene; 1 if left out.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(super) squeeze: Option<f64>,
-    /// The layout in which the slip was observed; 0, the scene itself, if left out.
+    /// The layout in which slip was observed; 0, the scene itself, if left out.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(super) layout: Option<usize>,
     /// Relative standard deviation of load or angle; given for every observation, or for none.

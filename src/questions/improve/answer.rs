@@ -186,8 +186,8 @@ pub enum SearchEnd {
     Stalled,
     /// The search used all of its steps before the gradients cancelled.
     OutOfSteps,
-    /// The contacts cannot be moved: with some contact at another place, contact forces would no longer balance the loads. An example is a grasp by
-    /// two point contacts in space, which resist no moment about the line that joins them.
+    /// The contacts cannot be moved: if some contact is at another place, contact forces no longer balance the loads. An example is a grasp by two
+    /// point contacts in space, which resist no moment about the line that joins them.
     Unbalanced,
     /// No contact slides, however large the loads are: the load factor of first slip is infinite.
     NothingSlides,

@@ -137,8 +137,8 @@ impl StickingForces {
         self.sources.len() - LOADS
     }
 
-    /// For each variable (place or commanded normal force), in order, the changes of all contact forces per unit of this variable. `None` if a
-    /// contact at another place would leave a load without any resistance.
+    /// For each variable (place or commanded normal force), in order, the changes of all contact forces per unit of this variable. `None` if nothing
+    /// resists some load once a contact is at another place.
     pub(super) fn derivatives(
         &self,
         design_space: &DesignSpace<'_>,

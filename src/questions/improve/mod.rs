@@ -3,9 +3,10 @@
 //! reserve: the least margin of a contact force to the boundary of its friction cone.
 //!
 //! An [`Improve`] states the loads, the contacts that may move along a [`Surface`], and how hard they may press. The place of a contact is its
-//! position on its curve or surface. Its commanded normal force is that which its command (the displacement that the finger would make without the
-//! object) causes with the object held in place. [`Grasp::improve`](crate::ask::Grasp::improve) returns an [`Improved`]: places, commanded normal
-//! forces, the value of the [`ImproveGoal`] before and after, and the active sticking conditions and limits of forces, commands and places.
+//! position on its curve or surface. A command is the displacement that a finger would make if there were no object. The commanded normal force of a
+//! contact is that which its command causes with the object held in place. [`Grasp::improve`](crate::ask::Grasp::improve) returns an [`Improved`]:
+//! places, commanded normal forces, the value of the [`ImproveGoal`] before and after, and the active sticking conditions and limits of forces,
+//! commands and places.
 //!
 //! While every contact sticks, the force of a contact is `F = F⁰ + τ F¹` at the load factor τ. F⁰ is its value under the base load, which acts before
 //! the load grows, and F¹ its change due to the load. A contact sticks while `a·F >= 0` for the coefficients a of each facet of its friction cone.

@@ -73,7 +73,7 @@ pub struct Improve<const C: usize> {
     pub(super) most: Vec<(usize, f64)>,
 }
 
-/// The position of a contact in a list sorted by contact index; as an error, the position at which it would be inserted.
+/// The position of a contact in a list sorted by contact index. If the list lacks the contact, the error holds the position at which to insert it.
 fn place_of<T>(list: &[(usize, T)], contact: usize) -> Result<usize, usize> {
     list.binary_search_by_key(&contact, |(of, _)| *of)
 }
@@ -199,7 +199,7 @@ impl Improve<3> {
         grasp.refuse_hands("improve")?;
         let space = grasp.engine.space();
         self.base().check_in(space, "base load")?;
-        // More starting grasps would take minutes and hardly find a better grasp.
+        // A search from more starting grasps takes minutes and hardly finds a better grasp.
         if self.starts() > 1_000 {
             let (what, allowed) = ("number of starts", "at most 1000");
             return Err(Error::Argument { what, value: self.starts() as f64, allowed });

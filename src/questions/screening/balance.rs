@@ -134,8 +134,8 @@ impl<const C: usize, X: Packed> RigidBody<C, X> {
                 moments += load[k].abs();
             }
         }
-        // Without forces and loads the quotients would be 0 / 0; adding the smallest positive double that is not subnormal to the denominators makes
-        // them 0.
+        // If there are no forces and loads, the quotients are 0 / 0. The smallest positive double that is not subnormal, added to the denominators,
+        // makes them 0.
         let tiny = X::all(f64::MIN_POSITIVE);
         let part = worst_force / (size + tiny) + worst_moment / (moments + tiny);
         // `max` ignores NaN. Adding zero times the first entry of `left` makes the relative magnitude NaN if that entry is NaN.

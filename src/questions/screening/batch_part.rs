@@ -43,7 +43,8 @@ impl<const C: usize, Q: ScreeningQuestion<C>> OnVectors for BatchPart<'_, C, Q> 
             let [mut a, mut b, mut c, mut d] = [Forces::<C, Lanes>::none(); 4];
             self.screen(vectors, [&mut a, &mut b, &mut c, &mut d]);
         } else {
-            // The forces of up to 64 points are on the heap. On the stack they would enlarge the frame for all batches, also those of few contacts.
+            // The forces of up to 64 points are on the heap. If they were on the stack, they would enlarge the frame for all batches, also those of
+            // few contacts.
             let mut rooms = Vec::new();
             rooms.resize(4, WideForces::<C>::none());
             if let [a, b, c, d] = &mut rooms[..] {

@@ -1,8 +1,8 @@
 //! The functions ("kernels") that answer the questions of screening, such as the load factor at which the first contact ceases to stick. They are
 //! compiled once for the plane and once for space, in this crate.
 //!
-//! In a program that links the library the number of axes is a type parameter. Functions with such a parameter would be compiled again in every such
-//! program, which takes minutes. The kernels are therefore called by pointer.
+//! In a program that links the library the number of axes is a type parameter. If the kernels had this parameter, they would be compiled again in
+//! every such program, which takes minutes. They are therefore called by pointer.
 
 use core::any::Any;
 

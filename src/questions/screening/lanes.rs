@@ -1,8 +1,8 @@
 //! Vectors of numbers with one number ("lane") for each of several grasps. A block has the data of as many grasps as a vector has lanes; a batch
 //! consists of blocks.
 //!
-//! With `simd` everything here is inlined into its callers. A function that is not inlined would be compiled for the instructions that every
-//! processor has, not for the wider vectors of its caller. Without `simd` inlining would only lengthen compilation.
+//! With `simd` everything here is inlined into its callers. If a function were not inlined, it would be compiled for the instructions that every
+//! processor has, not for the wider vectors of its caller. Without `simd` inlining only lengthens compilation.
 
 use core::fmt::Debug;
 use core::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};

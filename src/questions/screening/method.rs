@@ -66,8 +66,8 @@ pub(super) fn to_compliances<const C: usize>(grasp: &mut AnyGraspData<C>) {
         }
     }
     let sizes = sizes(&grasp.block());
-    // For `Edges` the compliances of the three contacts may differ by at most a factor of 1000. With a larger factor, the force of a soft contact
-    // would lose more than three digits. With a smaller factor, more grasps would use `Motions`, which takes twice the time.
+    // For `Edges` the compliances of the three contacts may differ by at most a factor of 1000. If this limit were larger, the force of a soft
+    // contact might lose more than three digits. If it were smaller, more grasps would use `Motions`, which takes twice the time.
     if most <= 1e3 * least && sizes.force > 0.0 {
         grasp.measure(&sizes);
         return;
@@ -104,8 +104,8 @@ fn sizes<const C: usize>(grasp: &Block<'_, C, f64>) -> TermSizes<f64> {
     let moment = longest * height * gives;
     let centre: f64 = triangle.centre.iter().map(|x| x.abs()).sum();
     // For `Edges` the bound on contact forces due to a unit moment, times the longest edge, may be at most 1000. For an equilateral triangle of equal
-    // springs this product is seven. With a larger limit, rounding would leave open when a friction margin that decreases slowly becomes zero. With a
-    // smaller limit, more grasps would use `Motions`, which takes twice the time.
+    // springs this product is seven. If the limit were larger, rounding would leave open when a friction margin that decreases slowly becomes zero.
+    // If it were smaller, more grasps would use `Motions`, which takes twice the time.
     let tame = triangle.factors.free == 0.0 && moment * longest <= 1e3;
     let tamed = |size: f64| if tame { size } else { 0.0 };
     TermSizes {

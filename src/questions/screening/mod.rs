@@ -9,11 +9,11 @@
 //!
 //! | question | type | answer | method for unclear cases |
 //! |---|---|---|---|
-//! | At which factor of a growing load does the first contact stop sticking? | [`Pull`] | [`Screened`] | [`Grasp::onset`] |
+//! | At which factor of a growing load does the first contact cease to stick? | [`Pull`] | [`Screened`] | [`Grasp::onset`] |
 //! | Which least squeeze makes all contacts stick under each load of a list? | [`LoadCases`] | [`ScreenedSqueeze`] | [`Grasp::least_squeeze`] |
 //!
 //! ```text
-//! F_i(τ) = F_i⁰ + τ F_i'               W = W₀ + τ W'                      onset: the least τ > 0 beyond which a contact stops sticking
+//! F_i(τ) = F_i⁰ + τ F_i'               W = W₀ + τ W'                      onset: the least τ > 0 beyond which a contact ceases to stick
 //! F_i(s) = s F_iᵃ + F_iᵂ               a = s times the given commands     squeeze: the least s >= 0 with |F_t| <= μ F_n at every contact
 //! ```
 //!

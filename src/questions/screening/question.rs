@@ -38,8 +38,8 @@ pub(crate) trait ScreeningQuestion<const C: usize>: Sync + Sized {
     fn answers(_contacts: usize) -> usize {
         1
     }
-    /// Answers the question for the grasps of a block; the answers are written to the last argument. Implementations must be inlined, since the
-    /// vector instructions of the caller would otherwise not be used.
+    /// Answers the question for the grasps of a block; the answers are written to the last argument. Implementations must be inlined. If they were
+    /// not, the vector instructions of the caller would not be used.
     fn ask<V: Vectors, X: Packed>(
         &self,
         prepared: &PreparedBlock<'_, V, C, X>,

@@ -29,8 +29,8 @@ pub enum SqueezeVerdict {
     /// Screening has no answer, because of rounding or missing friction. [`Grasp::least_squeeze`](crate::ask::Grasp::least_squeeze) may have an
     /// answer. The reasons are:
     ///
-    /// * A factor would have fewer than six digits. Either commands hardly change the friction margin `μ F_n - |F_t|` of a contact. Or the force of a
-    ///   contact, as a function of the factor, only grazes its friction cone.
+    /// * Fewer than six digits of a factor are right. Either commands hardly change the friction margin `μ F_n - |F_t|` of a contact. Or the force of
+    ///   a contact, as a function of the factor, only grazes its friction cone.
     /// * The least factor with which one contact sticks and the largest factor with which another contact sticks differ by no more than rounding.
     /// * Two contacts in the plane do not hold the object because friction is missing.
     /// * Forces or stiffnesses are so large or small that squares overflow or lose digits.

@@ -42,7 +42,7 @@ impl Watched {
 
     /// The least margin over all contacts under the measured forces, N: `μ F_n - |F_t|` if the contact may slide, `F_n` if it can only open. It is
     /// negative if a measured force lies outside its cone: the contact slides already, or the measurement or its friction coefficient is wrong. It is
-    /// infinite if no contact can stop sticking.
+    /// infinite if no contact can cease to stick.
     #[must_use]
     pub fn margin(&self) -> f64 {
         self.margin

@@ -21,7 +21,6 @@ use crate::search::Settings;
 const KEPT_STATES: usize = 12;
 
 impl Engine {
-    /// Implements [`Grasp::shake`](crate::ask::Grasp::shake).
     pub(crate) fn shake(
         &self,
         base: &Wrench<3>,
@@ -202,8 +201,8 @@ impl<'g> FollowedCycles<'g, '_> {
         let near = near.min(1e-3 * last.change()).max(last.same());
         let farthest = recurrence.cycles_until(near);
         let mut passed = farthest;
-        // An extrapolation skips at least this many cycles, unless the limit is nearer. Its confirmation takes the load path of one cycle, so that
-        // skipping fewer cycles would hardly be faster than following them.
+        // An extrapolation skips at least this many cycles, unless the limit is nearer. Its confirmation takes the load path of one cycle. If it
+        // skipped fewer cycles, it would hardly be faster than following them.
         let fewest = 4;
         loop {
             let (state, predicted) = recurrence.after(passed);

@@ -47,7 +47,7 @@ pub struct Shakedown<const C: usize> {
     /// forces, the grasp may not come to rest.
     pub slips_change_normal_forces: bool,
     /// Whether some contacts have [less friction](crate::grasp::Contact::kinetic) once they slide. Such a contact may slide past the slips with which
-    /// the grasp would be at rest.
+    /// the grasp rests.
     pub friction_falls: bool,
     /// Whether the round friction cones were replaced by polygons around them. The factor is then only an upper bound, even if slips change no normal
     /// force.
@@ -85,7 +85,6 @@ impl<const C: usize> Shakedown<C> {
 }
 
 impl Engine {
-    /// Implements [`Statics::shakedown`](crate::ask::Statics::shakedown).
     pub(crate) fn shakedown(
         &self,
         base: &Wrench<3>,

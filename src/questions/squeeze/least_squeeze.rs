@@ -43,7 +43,6 @@ pub enum LeastSqueeze<const C: usize> {
 }
 
 impl Engine {
-    /// Implements [`Grasp::least_squeeze`](crate::ask::Grasp::least_squeeze).
     pub(crate) fn least_squeeze(
         &self,
         loads: &Loads<3>,

@@ -48,7 +48,6 @@ pub enum WeakestDirection<const C: usize> {
 }
 
 impl Engine {
-    /// Implements [`Grasp::weakest_direction`](crate::ask::Grasp::weakest_direction).
     pub(crate) fn weakest_direction(
         &self,
         base: &Wrench<3>,

@@ -49,7 +49,6 @@ pub enum Closure<const C: usize> {
 }
 
 impl Engine {
-    /// Implements [`Statics::force_closure`](crate::ask::Statics::force_closure).
     pub(crate) fn force_closure(&self, settings: &Settings) -> Result<Closure<3>, Error> {
         self.refuse_joints("force_closure")?;
         let problem = self.without_load(settings);
@@ -70,7 +69,6 @@ impl Engine {
         self.whatever_vacuums_hold(closure, "force_closure")
     }
 
-    /// Implements [`Statics::form_closure`](crate::ask::Statics::form_closure).
     pub(crate) fn form_closure(&self) -> Result<Closure<3>, Error> {
         self.refuse_joints("form_closure")?;
         let axes: Vec<_> = numbered(self.len(), &|i| (i, 0));

@@ -30,7 +30,6 @@ pub struct WrenchBall<const C: usize> {
 }
 
 impl Engine {
-    /// Implements [`Statics::ferrari_canny`](crate::ask::Statics::ferrari_canny).
     pub(crate) fn ferrari_canny(
         &self,
         budget: Budget,

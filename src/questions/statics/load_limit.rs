@@ -47,7 +47,6 @@ pub enum LoadLimit<const C: usize> {
 }
 
 impl Engine {
-    /// Implements [`Statics::load_limit`](crate::ask::Statics::load_limit).
     pub(crate) fn load_limit(
         &self,
         base: &Wrench<3>,

@@ -37,7 +37,7 @@ pub(super) fn failures(
     events: &mut Failures,
 ) {
     // Each facet has its own point of failure, the smallest errors with which its margin vanishes. Every search for such a point starts from the data
-    // as given, because the point of another facet would be a bad start.
+    // as given, because the point of another facet may be far away.
     match edges {
         Edges::Rows(rows) => {
             for (k, row) in rows.iter().enumerate() {

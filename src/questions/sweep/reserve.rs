@@ -60,7 +60,6 @@ impl<const C: usize> Reserve<C> {
 }
 
 impl Engine {
-    /// Implements [`Grasp::reserve`](crate::ask::Grasp::reserve).
     pub(crate) fn reserve(
         &self,
         base: &Wrench<3>,

@@ -18,9 +18,8 @@ use crate::prelude::*;
 /// which a normal tilts towards each of its tangents. Stiffness, command and clearance stay along the axes of the contact frame, which turns with the
 /// normal.
 ///
-/// The load is multiplied by one factor as a whole, base load and growing load alike, as for a mass that is not known exactly. A factor keeps the
-/// line in which the load acts, and needs no length by which moments are compared with forces. An uncertainty in newtons would need a point of
-/// action.
+/// The load is multiplied by one factor as a whole, base load and growing load alike. An example is a mass that is not known exactly. A factor keeps
+/// the line in which the load acts, and needs no length by which moments are compared with forces. An uncertainty in newtons needs a point of action.
 ///
 /// ```
 /// use grasp_lcp::planar::{Contact, Grasp, Onset, Ramp, Wrench};
@@ -124,7 +123,6 @@ impl Uncertainty {
 }
 
 impl Engine {
-    /// Implements [`Grasp::sample`](crate::ask::Grasp::sample).
     pub(crate) fn sample(&self, uncertainty: &Uncertainty, number: u64) -> Result<Self, Error> {
         if uncertainty.position != 0.0 {
             self.refuse_hands("sample with uncertain positions")?;
@@ -153,7 +151,6 @@ impl Engine {
         .installed()
     }
 
-    /// Implements [`Grasp::onset_of_samples`](crate::ask::Grasp::onset_of_samples).
     pub(crate) fn onset_of_samples(
         &self,
         ramp: &Ramp<3>,
