@@ -403,6 +403,7 @@ impl<const C: usize> Hand<C> {
     /// The grasp of an object by this hand, with any number of joints. For each [`Link`](crate::grasp::Link) with a
     /// given tension, the command of its spring is computed.
     ///
+    /// # Errors
     /// [`Error::EmptyGrasp`] without contacts; [`Error::Hand`] with the joint, tendon or finger, the field and the allowed values; [`Error::Contact`]
     /// with the first contact, field and value out of range.
     pub fn grasp(self) -> Result<Grasp<C>, Error> {
@@ -414,6 +415,7 @@ impl<const C: usize> Hand<C> {
 impl<const C: usize> Bodies<C> {
     /// The grasp of these bodies. In its answers "the object" is the body that loads act on.
     ///
+    /// # Errors
     /// [`Error::Body`] with the name of the body and the fault; also the errors of [`Hand::grasp`].
     pub fn grasp(self) -> Result<Grasp<C>, Error> {
         const { assert_plane_or_space::<C>() };

@@ -2,9 +2,9 @@
 //! friction.
 //!
 //! While no contact slides the springs are conservative, and the equilibrium is a minimum of the potential energy. The paper on which the crate is
-//! based ("Position Control for Multifingered Robot Hand", see `paper-notes.md`) poses this minimum as a quadratic program with the friction cones as
-//! constraints. [`Energy::minimum`](crate::ask::Energy::minimum) solves it as the linear complementarity problem of its optimality conditions, set up
-//! with orthogonal factors of K^{1/2}Gᵀ (stiffness K, grasp map G).
+//! based ("Position Control for Multifingered Robot Hand", notes in `paper-notes.md`) poses this minimum as a quadratic program with the friction
+//! cones as constraints. [`Energy::minimum`](crate::ask::Energy::minimum) solves it as the linear complementarity problem of its optimality
+//! conditions, set up with orthogonal factors of K^{1/2}Gᵀ (stiffness K, grasp map G).
 //!
 //! As long as no friction constraint binds, the minimum is the equilibrium. Once a constraint binds, its multiplier acts on the object like an
 //! external force. The quadratic program still has a minimum, but the object is not in equilibrium at this minimum. [`Comparison`] classifies one

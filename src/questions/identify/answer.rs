@@ -37,8 +37,8 @@ pub struct Identified {
     /// this number. `None` if no standard deviations were given, or no degrees of freedom remain.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub misfit: Option<f64>,
-    /// Number of observations, and of sums of parameters that the question gives as known from other measurements. The number of independent
-    /// combinations of parameters that these determine is subtracted.
+    /// Number of observations and known sums, minus the number of independent combinations of parameters that these determine. Known sums are sums of
+    /// parameters that the question gives as known from other measurements.
     pub degrees_of_freedom: usize,
     /// Combinations of parameters that may change together while the predicted load of every observation stays the same. The observations do not
     /// determine them.
@@ -140,8 +140,8 @@ impl Identified {
     }
 
     /// The standard errors as an [`Uncertainty`] of the grasp, for [`Grasp::reserve`](crate::ask::Grasp::reserve) and similar methods. The relative
-    /// errors of friction, squeeze and stiffness are the largest among all parameters of that kind. Carried forces are treated as squeezes. `seed` is
-    /// the seed of the random samples.
+    /// errors of friction, squeeze and stiffness are the largest among all parameters of that kind. Carried forces count as squeeze. `seed` is the
+    /// seed of the random samples.
     pub fn uncertainty(&self, seed: u64) -> Uncertainty {
         let sigma = |kind| {
             let part = |estimate: &Estimate| estimate.standard_error.map(|error| error / estimate.value);

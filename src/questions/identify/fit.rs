@@ -96,7 +96,7 @@ impl Model<'_> {
 type StartingFit = (Vec<f64>, Result<Linear, (usize, PredictionFailure)>);
 
 /// For each parameter, whether it may be multiplied by a factor in the search for starting values. True for coefficients of friction. If no friction
-/// is sought, true for squeezes and carried forces (normal forces before the load grows).
+/// is sought, true for factors on the squeeze and carried forces (normal forces before the load grows).
 fn changing(model: &Model<'_>) -> Vec<bool> {
     let unknowns = &model.asked.unknowns;
     let has_friction = unknowns.iter().any(|unknown| unknown.kind == UnknownKind::Friction);
@@ -110,7 +110,7 @@ fn changing(model: &Model<'_>) -> Vec<bool> {
 /// The first point, in the logarithms of the parameters, at which the model predicts slip for all observations. It is given by the start values of
 /// the parameters, perhaps with all friction that is sought multiplied by a common factor. The factor is halved if the object holds however far the
 /// load goes, and doubled if the object is lost before the load grows. Once both have occurred, the logarithm of the factor is bisected. If no
-/// friction is sought, squeezes and carried forces are multiplied instead.
+/// friction is sought, the factors on the squeeze and the carried forces are multiplied instead.
 fn starting_fit(model: &Model<'_>) -> Result<StartingFit, Error> {
     let unknowns = &model.asked.unknowns;
     let begin: Vec<f64> = mapped(unknowns, &|unknown| unknown.begins_at(model.layouts).ln());
@@ -159,9 +159,9 @@ pub(super) fn fitted(model: &Model<'_>) -> Result<Fitted, Error> {
 }
 
 /// A start for a second search; `None` if `fit` needs none. Some parameters may be multiplied ([`changing`]): coefficients of friction or, if no
-/// friction is sought, squeezes and carried forces. A second search is needed if the predicted load of some observation differs from the observed
-/// one, but depends on none of these parameters. An example is a box of which the model predicts that it tips. With less friction it slides before it
-/// tips.
+/// friction is sought, factors on the squeeze and carried forces. A second search is needed if the predicted load of some observation differs from
+/// the observed one, but depends on none of these parameters. An example is a box of which the model predicts that it tips. With less friction it
+/// slides before it tips.
 ///
 /// These parameters are halved if the observed load is below its prediction, else doubled, until the prediction depends on them; at most twelve
 /// times.

@@ -1,6 +1,7 @@
-//! Predicts gross slip with a model of the grasp: the load at which the object is lost. It slides at all contacts, tips over or leaves in another
-//! way. An observation is a load, or the angle of a turning load, at which slip was observed. The load factor is a multiple of the observed load. The
-//! derivatives of the load factor with respect to the parameters that are sought, such as coefficients of friction, are computed, too.
+//! Predicts gross slip with a model of the grasp: the event at which the object is lost. The object then slides at all contacts, tips over or leaves
+//! in another way. An observation is a load, or the angle of a turning load, at which slip was observed. The load factor is a multiple of the
+//! observed load. The derivatives of the load factor with respect to the parameters that are sought, such as coefficients of friction, are computed,
+//! too.
 //!
 //! In an experiment an object is seen to slip as soon as it leaves, even if a gap closes afterwards and the load path continues. The gross slip that
 //! the model predicts is therefore the first event of the load path at which the object leaves.

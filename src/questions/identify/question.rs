@@ -116,7 +116,7 @@ impl<const C: usize> Identify<C> {
             self.layouts.push(points.into_iter().map(|point| SVector::from(point.into())).list());
         }
 
-        /// Adds layouts as grasps of their own, for instance with other squeezes. They are numbered after the layouts of [`Self::with_points`].
+        /// Adds layouts as grasps of their own, for instance with another squeeze. They are numbered after the layouts of [`Self::with_points`].
         pub fn and_layouts(mut self, others: impl IntoIterator<Item = Grasp<C>>) {
             self.others.grasps.extend(others);
         }

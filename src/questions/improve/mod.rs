@@ -31,7 +31,7 @@
 //! are curved, so that there are usually several such optima. The search starts from the given grasp and from the best of many random ones.
 //!
 //! A contact may touch without force in the given grasp. Under a load that does not push the object against this contact, the search takes the
-//! contact as open, as the computation of first slip does.
+//! contact as open. So does [`Grasp::onset`](crate::ask::Grasp::onset).
 //!
 //! | file | idea |
 //! |---|---|

@@ -13,7 +13,7 @@
 /// point that could still be improved would be called an optimum.
 pub(super) const OPTIMAL: f64 = 1e-6;
 
-/// The ascent stops once the residual of [`OPTIMAL`] is at most this smaller number.
+/// The ascent stops once the residual of first-order optimality is at most this number, which is smaller than [`OPTIMAL`].
 ///
 /// If it were smaller, the last steps would gain rounding only. If it were larger, places of contacts would lose digits.
 pub(super) const ARRIVED_AT_TOP: f64 = 1e-10;

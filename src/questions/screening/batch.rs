@@ -109,8 +109,8 @@ impl<const C: usize, const N: usize> Batch<C, N> {
     }
 
     /// For each grasp and each of the lists of loads `cases`, the least common factor of all commands with which every contact sticks under each load
-    /// of the list. On one thread; [`sweep::least_squeezes_of_batch`](crate::sweep::least_squeezes_of_batch) uses all cores. The answer of grasp g to
-    /// list c is at `g * cases.len() + c`, and equals the answer of [`Fingers::least_squeeze`] bit for bit.
+    /// of the list. Computed on one thread; [`sweep::least_squeezes_of_batch`](crate::sweep::least_squeezes_of_batch) uses all cores. The answer of
+    /// grasp g to list c is at `g * cases.len() + c`, and equals the answer of [`Fingers::least_squeeze`] bit for bit.
     pub fn least_squeezes_into(&self, cases: &[LoadCases<C>], answers: &mut Vec<ScreenedSqueeze>) {
         self.ask_into(&Kernels::get().load_cases, cases, answers);
     }

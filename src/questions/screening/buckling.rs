@@ -4,7 +4,7 @@
 //! If contact i is at least as stiff as k_i in every direction, the springs resist rotations about the centroid of the k_i with at least the
 //! stiffness `J = Σ k_i (|r_i|² 1 - r_i r_iᵀ)`, with the arms r_i from this centroid. Forces F at arms r, of contacts and loads, add the geometric
 //! stiffness `M = Σ (F·r) 1 - ½ (F rᵀ + r Fᵀ)`. In the plane both are numbers, `Σ k_i |r_i|²` and `Σ F·r`. The grasp does not buckle while all
-//! eigenvalues of J⁻¹ M are above -1. If `tr (J⁻¹ M)²` is below 1, they are.
+//! eigenvalues of J⁻¹ M are above -1. The trace `tr (J⁻¹ M)²` is the sum of their squares, so all are above -1 if the trace is below 1.
 
 use super::block::{Block, count, entries};
 use super::factors::LaneFactors;

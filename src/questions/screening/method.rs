@@ -18,10 +18,10 @@ use crate::numerics::Each;
 /// The method by which the contact forces of a grasp are found.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Method {
-    /// Forces along the lines between contacts are the unknowns, computed from compliances. For two contacts in the plane and some triangles in
-    /// space.
+    /// Forces along the lines between contacts are the unknowns, computed from compliances. This method is used for two contacts in the plane and for
+    /// some triangles in space.
     Edges,
-    /// The motion of the object is the unknown, computed from stiffnesses. For all other grasps.
+    /// The motion of the object is the unknown, computed from stiffnesses. This method is used for all other grasps.
     Motions,
 }
 

@@ -64,7 +64,7 @@ impl<const C: usize> OneGrasp<C> {
 }
 
 /// Checks contacts and stores them in `data`. Stiffnesses are replaced by compliances if [`Method::Edges`] is used, i.e. if the unknowns are forces
-/// along the lines between contacts. An error for a malformed contact, or a contact that screening does not support.
+/// along the lines between contacts. Returns an error for a malformed contact, or a contact that screening does not support.
 pub(super) fn write_all<const C: usize>(
     data: &mut AnyGraspData<C>,
     contacts: &[Contact<C>],
@@ -90,7 +90,8 @@ pub(super) fn write_all<const C: usize>(
     Ok(())
 }
 
-/// Stores the data of one contact with this frame. An error for a contact held by a force or suction, or with unequal tangential stiffness in space.
+/// Stores the data of one contact with this frame. Returns an error for a contact held by a force or suction, or with unequal tangential stiffness in
+/// space.
 fn write<const C: usize>(
     data: &mut AnyGraspData<C>,
     index: usize,

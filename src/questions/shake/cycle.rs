@@ -1,6 +1,7 @@
-//! One cycle of loads: the cycle states at its beginning and end, and the slips (sliding paths of contacts) between them. A cycle state has the
-//! contact forces, gaps and slips at an instant between two cycles. A jump is a motion under constant load from one equilibrium to another. An object
-//! walks if it moves on by the same motion in every cycle. A drive is the spring of a joint or tendon of a hand, with its force limit.
+//! One cycle of loads: the cycle states at its beginning and end, and the slips between them, i.e. the relative tangential displacements of the two
+//! surfaces of each contact. A cycle state has the contact forces, gaps and slips at an instant between two cycles. A jump is a motion under constant
+//! load from one equilibrium to another. An object walks if it moves on by the same motion in every cycle. A drive is the spring of a joint or tendon
+//! of a hand, with its force limit.
 
 use super::tolerances::{SAME_CYCLE, SLIP_OF_JUMPS};
 use nalgebra::{DVector, SVector};

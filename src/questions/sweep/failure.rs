@@ -49,7 +49,7 @@ pub(super) fn failures(
         Edges::Round { limit } => {
             let around = round_rows(*limit);
             let (worst, least) = worst_around(&here.first_order(), &around);
-            // If the reliability exceeds `sigmas`, the required reliability, by three, failures are a thousand times rarer than allowed, and the
+            // If the reliability exceeds `sigmas`, the required reliability, by three, failures are at least 370 times rarer than allowed, and the
             // first-order probability is accurate enough. If the reliability is not positive, the contact is taken as sure to fail.
             if least <= 0.0 || least > here.sigmas + 3.0 {
                 events.add_alone(if least <= 0.0 { 1.0 } else { normal_tail(least) });
