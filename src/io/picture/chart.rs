@@ -1,4 +1,4 @@
-//! Charts with two axes: lines, dots or bars, with events marked.
+//! Charts with two axes: lines, dots or bars, and vertical lines with labels.
 
 use super::canvas::Canvas;
 use super::chart_strokes::{
@@ -12,8 +12,8 @@ use super::series::{ChartSeries, Stroke};
 use super::sheet::{PaperPoint, Sheet, plaque_size, sheet};
 use crate::numerics::{least, mapped};
 
-/// A chart of one or more series: add series and marks to it, then call [`Chart::to_svg`]. Points, labels and marks that are not finite are omitted;
-/// a line is interrupted at such a point.
+/// A chart of one or more series: add series and vertical lines to it, then call [`Chart::to_svg`]. Points, labels and marks that are not finite are
+/// omitted; a line is interrupted at such a point.
 #[derive(Debug, Clone, Default, PartialEq)]
 #[must_use]
 pub struct Chart {
@@ -55,10 +55,10 @@ impl Chart {
             self.series.push(ChartSeries { name: name.into(), points, stroke });
         }
 
-        /// Marks an event by a vertical line at x with a label; the axis is extended to include x.
+        /// Draws a vertical line at x with a label; the axis is extended to include x.
         pub fn mark(mut self, x: f64, label: impl Into<String>) { self.marks.push((x, label.into())); }
 
-        /// Labels a point (x, y) with a few letters on a light background, such as the number of an event.
+        /// Labels a point (x, y) with a few letters on a light background.
         pub fn label(mut self, point: (f64, f64), words: impl Into<String>) {
             self.labels.push((point, words.into()));
         }
@@ -171,11 +171,11 @@ impl Chart {
 
     fn draw(&self, paper: &mut Sheet, (left, top): PaperPoint, window: [f64; 4]) {
         let (wide, high) = CHART.size;
-        // The title has smaller letters if it would not fit.
+        // The title has smaller letters if it does not fit otherwise.
         let size = CHART.title.min((wide - 36.0) / (0.6 * self.title.chars().count() as f64));
         paper.text((left + wide / 2.0, top + 26.0), &self.title, size, 0.5, BLACK);
         let below = draw_note(paper, (left, top + high), self.note.as_deref().unwrap_or_default());
-        // A legend of many names would hide the curves; names are then written beside the chart.
+        // A legend of many names takes so much room that it hides the curves; many names are therefore written beside the chart.
         let is_beside = self.series.len() > CHART.most_inside;
         let beside = if is_beside { legend_width(&self.series, CHART.longest_beside) } else { 0.0 };
         // The margins around the plot, in pixels, hold the numbers and labels of the axes. The right margin holds half of the last number of the x

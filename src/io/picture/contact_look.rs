@@ -1,4 +1,4 @@
-//! The look of contacts in pictures: a word and a colour for the state, and the ratio of radius to height of the friction cone.
+//! The look of contacts in pictures: a word and a colour for the contact state, and the ratio of radius to height of the friction cone.
 
 use super::layout::MARKS;
 use super::palette::{BLUE, GREEN, GREY, ORANGE, Rgb, VERMILION};
@@ -6,7 +6,7 @@ use crate::equilibrium::{ContactAnswer, ContactState};
 use crate::grasp::Contact;
 use crate::numerics::tolerances::SOLVED_ROUNDING;
 
-/// Largest ratio of radius to height of a drawn friction cone. The edges of such a cone deviate from the tangent plane by less than a pixel. An
+/// Largest ratio of radius to height of a drawn friction cone. The side of such a cone deviates from the tangent plane by less than a pixel. An
 /// infinite ratio could not be drawn.
 pub(super) const STEEPEST_CONE: f64 = 1e3;
 
@@ -37,7 +37,7 @@ pub(super) fn ink(word: &str) -> Rgb {
     }
 }
 
-/// The state of a contact in a word. A contact on the edge of its cone that has not slipped yet is "about to slide".
+/// The contact state in a word. A contact that sticks, but whose force is on the boundary of its friction cone, is "about to slide".
 pub(super) fn word<const C: usize>(answer: &ContactAnswer<C>) -> &'static str {
     match answer.state {
         ContactState::Separated => "separated",

@@ -1,5 +1,5 @@
-//! Slips of contacts while a load repeats, and the loop of friction against slip in the last cycle. The base load acts before the repeated loads and
-//! stays constant.
+//! Charts of the slips of contacts while a load repeats, and of the loops of friction force against slip in the last cycle. The base load acts before
+//! the repeated loads and stays constant.
 
 use nalgebra::SVector;
 
@@ -37,7 +37,8 @@ use crate::numerics::{IntoList, chosen, increasing, largest, mapped, moved};
 /// ```
 ///
 /// # Errors
-/// As for [`Grasp::follow`].
+/// [`Error::Wrench`] if a load, [`Error::Contact`] if a command is not finite or beyond 1e50; [`Error::Size`] if a leg has more or fewer commands
+/// than there are contacts.
 pub fn charts_of_cycles<const C: usize>(
     grasp: &Grasp<C>,
     base: &Wrench<C>,

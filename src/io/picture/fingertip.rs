@@ -1,5 +1,5 @@
-//! Force, state and position of a contact in pictures. A fingertip is a contact with all its points: a soft fingertip has several, which are shown
-//! with one resultant force, one state and one position.
+//! Force, contact state and position of a contact in pictures. A fingertip is a contact with all its points: a soft fingertip has several, which are
+//! shown with one resultant force, one state and one position.
 
 use nalgebra::SVector;
 
@@ -9,7 +9,7 @@ use crate::grasp::{Contact, ContactPoints};
 use crate::numerics::summed;
 use crate::words::{LinkKind, Words};
 
-/// Force and state of a fingertip as a whole; forces in N.
+/// Force and contact state of a fingertip as a whole; forces in N.
 #[derive(Clone)]
 pub(super) struct Resultant {
     /// The point at which the force acts: the centre of pressure, or the middle of the points if none of them presses.
@@ -20,7 +20,8 @@ pub(super) struct Resultant {
     pub(super) displacement: SVector<f64, 3>,
     /// The direction in which the finger slides over the object; `None` unless the whole fingertip slides.
     pub(super) slides: Option<SVector<f64, 3>>,
-    /// The state in a word: the first of "sticking", "about to slide", "sliding", "frictionless" and "separated" that is the state of some point.
+    /// The contact state in a word: the first of "sticking", "about to slide", "sliding", "frictionless" and "separated" that is the state of some
+    /// point.
     pub(super) word: &'static str,
 }
 

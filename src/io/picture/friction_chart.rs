@@ -1,6 +1,6 @@
-//! Friction force of each contact along a load path, as a fraction of its limit μ F_n; a soft fingertip counts as one contact. A leg is one stage of
-//! a load program, along which load and commands change linearly, or the load turns. A jump is a sudden motion under constant load, a drive a motor
-//! or a tendon of a hand.
+//! Charts of the friction force of each contact along a load path, as a fraction of its limit μ F_n. A soft fingertip counts as one contact. A leg is
+//! a section of the load program. Along a leg, load and commands change linearly, or the load turns. A jump is a sudden motion of the object under
+//! constant load. A drive is the spring of a joint or tendon of a hand, with its force limit.
 
 use super::chart::Chart;
 use super::fingertip::without_rounding;
@@ -25,13 +25,13 @@ pub(super) struct DrawnProgram<'a, const C: usize> {
     pub(super) start: Wrench<C>,
     pub(super) legs: &'a [Leg<C>],
     pub(super) axis: &'a str,
-    /// The position on the horizontal axis of a point of the load path, from the index of a leg and the fraction of this leg.
+    /// The position on the horizontal axis of a point of the load path, from the index of a leg and the fraction of this leg that is done.
     pub(super) place: &'a dyn Fn(usize, f64) -> f64,
 }
 
 impl<const C: usize> DrawnProgram<'_, C> {
-    /// The chart with one curve per contact, from the start to the end of the path. One mark shows the first change: a contact slides or opens, or a
-    /// drive reaches its limit. Another shows where the path ends, if it ends before the end of the program.
+    /// The chart with one curve per contact, from the start to the end of the path. One mark shows the first point of the path at which a contact
+    /// slides or opens, or a drive reaches its limit. Another shows where the path ends, if it ends before the end of the program.
     pub(super) fn chart(&self, title: &str) -> Result<Chart, Error> {
         let mut path = self.grasp.follow(self.start, self.legs)?;
         let events = path.run();
@@ -119,7 +119,7 @@ impl<const C: usize> DrawnProgram<'_, C> {
             _ => None,
         };
         match (left, end) {
-            // If the first slip and the end are close, they share one label.
+            // If the first change of a contact or drive and the end of the path are close, they share one label.
             (Some((at, left)), Some((to, end))) if to - at < 0.15 * to => {
                 vec![(at, format!("{left}, {end}"))]
             }
@@ -128,8 +128,8 @@ impl<const C: usize> DrawnProgram<'_, C> {
     }
 }
 
-/// The fraction of its friction that a fingertip uses: the friction forces of its points over the sum of their limits μ F_n. It is 1 if all points
-/// slide, and NaN if no point sticks or slides with finite friction, or if the forces are rounding errors.
+/// The fraction of its friction that a fingertip uses: the sum of the friction forces of its points divided by the sum of their limits μ F_n. It is 1
+/// if all points slide. It is NaN if no point sticks or slides with finite friction, or if the forces are rounding errors.
 fn friction_fraction<const C: usize>(
     tip: &ContactPoints,
     contacts: &[Contact<C>],
@@ -164,8 +164,8 @@ struct SharedCurves {
     left_out: Vec<String>,
 }
 
-/// Divides the curves of the contacts into curves that the chart draws and curves that its note names. Curves with a finite value are drawn; if there
-/// are more than [`MOST_CURVES`] such curves, those with the largest values are drawn.
+/// Divides the curves of the contacts into curves that the chart draws and curves that its note names. Only curves with a finite value are drawn. If
+/// there are more than [`MOST_CURVES`] such curves, those with the largest values are drawn.
 fn shared<const C: usize>(
     curves: Vec<(&ContactPoints, ChartSeries)>,
     contacts: &[Contact<C>],

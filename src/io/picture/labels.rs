@@ -13,7 +13,7 @@ type NamePlate = (PaperPoint, (f64, f64));
 const NEAR: f64 = 16.0;
 
 /// Limit of the total cost of the strokes that a name beside its point may cover (see `Painting::ink`); above this limit positions farther away are
-/// tried. Covering an arrow or the edges of a cone usually costs more than this limit.
+/// tried. Covering an arrow or the outline of a cone usually costs more than this limit.
 const COVERS_MUCH: f64 = 60.0;
 
 pub(super) struct Labels {

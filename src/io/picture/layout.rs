@@ -37,7 +37,7 @@ pub(super) const PLANAR: PlanarLayout = PlanarLayout { letters: 15.0, finger: 0.
 pub(super) struct SpatialLayout {
     /// Length of the finger drawn behind its contact, as a fraction of the span.
     pub(super) finger: f64,
-    /// Length of the arrow that shows the direction of a slip, as a fraction of the span; the length says nothing about the size of the slip.
+    /// Length of the arrow that shows the direction of a slip, as a fraction of the span. The length says nothing about the magnitude of the slip.
     pub(super) slip: f64,
     /// Half the length of the drawn axis of a free motion, i.e. of a motion of the object that no contact resists, as a fraction of the span.
     pub(super) axis: f64,
@@ -94,7 +94,7 @@ pub(super) struct ChartLayout {
     pub(super) title: f64,
     /// Height of letters of axes and legend.
     pub(super) letters: f64,
-    /// Height of the letters that label marked events.
+    /// Height of the letters that label vertical lines in the chart.
     pub(super) label: f64,
     /// Height of letters of notes, and of labels on a light background.
     pub(super) plaque: f64,
@@ -106,7 +106,7 @@ pub(super) struct ChartLayout {
     pub(super) longest_beside: usize,
     /// Largest number of letters of a series' name in the legend inside the chart; a longer name is cut off.
     pub(super) longest_inside: usize,
-    /// Largest number of letters of a contact's name in the label of a marked event; a longer name is cut off.
+    /// Largest number of letters of a contact's name in the label of a vertical line; a longer name is cut off.
     pub(super) mark_letters: usize,
     /// Largest number of names in the note that lists the contacts without a curve; the note counts the others.
     pub(super) listed_names: usize,

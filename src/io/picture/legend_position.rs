@@ -18,8 +18,8 @@ pub(super) fn most_letters(series: &[ChartSeries], longest: usize) -> usize {
     series.iter().map(|series| series.name.chars().count().min(longest)).max().unwrap_or(0)
 }
 
-/// The entry of [`LEGEND_POSITIONS`] at which the legend hides least of the curves and labels. `marked` is true if vertical lines with labels mark
-/// events; `shaded` is true if an area is shaded and has a label.
+/// The entry of [`LEGEND_POSITIONS`] at which the legend hides least of the curves and labels. `marked` is true if the chart has vertical lines with
+/// labels; `shaded` is true if an area is shaded and has a label.
 pub(super) fn best_legend_position(
     [x0, x1, y0, y1]: [f64; 4],
     series: &[ChartSeries],
@@ -49,7 +49,7 @@ pub(super) fn best_legend_position(
                 }
             }
         }
-        // Labels of marked events are at the top, the label of a shaded area is at the bottom right.
+        // Labels of vertical lines are at the top, the label of a shaded area is at the bottom right.
         let marked = marked && anchor == 1.0;
         let shaded = shaded && side > 0.0 && anchor == 0.0;
         count + 10 * (usize::from(marked) + usize::from(shaded))

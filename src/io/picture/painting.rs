@@ -71,7 +71,7 @@ impl Painting {
     pub(super) fn arrow(&mut self, [from, tip]: [EyePoint; 2], ink: Rgb, width: f64, heads: usize) {
         let along = (tip - from).xy();
         let size = along.norm();
-        // An arrow shorter than this on paper would have a direction made of rounding errors.
+        // The direction of an arrow that is shorter than this on paper, pixels, consists of rounding errors.
         if size < 1e-6 {
             // The arrow points to the eye or has no length.
             return;
@@ -166,7 +166,7 @@ impl Painting {
                 Shape::Area { corners, ink } if ink.opacity == 1.0 => {
                     inked.extend(corners.iter().map(|corner| (*corner, 20.0)));
                 }
-                // Names may cover the inside of a tinted area, such as a friction cone, but should not cover its edges.
+                // Names may cover the inside of a tinted area, such as a friction cone, but should not cover its outline.
                 Shape::Area { corners, .. } => {
                     corners.windows(2).for_each(|ends| along(ends[0], ends[1], 1.0, &mut inked));
                 }

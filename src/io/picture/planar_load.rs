@@ -50,7 +50,7 @@ pub(super) struct LoadOnPaper<'l> {
     load: &'l PlanarLoad,
     from: PaperPoint,
     tip: PaperPoint,
-    /// True if the arrow has the scale of the other forces; false if it would be too short to be visible and is lengthened.
+    /// True if the arrow has the scale of the other forces. If such an arrow is too short to be visible, it is lengthened, and this is false.
     is_to_scale: bool,
 }
 

@@ -20,8 +20,8 @@ pub type Outline<'a> = &'a [[f64; 2]];
 ///
 /// Arrows are forces on the object. They have one scale, short enough that no force passes through the object. Friction cones are 1.15 times as long
 /// as the arrows of the normal forces in them. The load is drawn on its line of action, which is dashed. If that line does not pass near the grasp,
-/// the force is drawn in the middle of the grasp, with its moment about that point as an arc. A load that is a moment alone is such an arc, too. A
-/// force of the load that would be too short to be visible is drawn longer, and its label says so. All points of a [soft
+/// the force is drawn in the middle of the grasp, with its moment about that point as an arc. A load that is a moment alone is such an arc, too. If
+/// the arrow of the load is too short to be visible, it is drawn longer, and its label says so. All points of a [soft
 /// fingertip](crate::planar::SoftFingertip) have one force and one cone, at their centre of pressure. The points themselves are dots in the colours
 /// of their states. Links of a [hand](crate::grasp::Hand) are drawn in the initial posture; joints and tendons whose torque or tension is at its
 /// limit are marked. No name covers another name.
@@ -149,7 +149,8 @@ impl<'a> PlanarPicture<'a> {
 /// ```
 ///
 /// # Errors
-/// As for [`PlanarPicture::to_svg`].
+/// [`PictureError`] if equilibrium and grasp have different numbers of contacts, if a corner of the outline is not finite, or if a length or force is
+/// too large or too small to be drawn.
 pub fn draw_grasp(
     grasp: &planar::Grasp,
     state: &planar::Equilibrium,

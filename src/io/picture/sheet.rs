@@ -139,7 +139,7 @@ impl Sheet {
         ));
     }
 
-    /// Writes the title of the picture in its upper left corner, in smaller letters if it would not fit.
+    /// Writes the title of the picture in its upper left corner, in smaller letters if it does not fit otherwise.
     pub(super) fn title(&mut self, words: &str) {
         self.title_line(0.0, words);
     }

@@ -1,5 +1,5 @@
-//! Charts of the friction force of each contact, as a fraction of its limit μ F_n, while the load turns, grows, or follows a program. A ramp is a
-//! load, or commands, that grow in proportion to a factor; a command is the displacement that a finger would make without the object.
+//! Charts of the friction force of each contact, as a fraction of its limit μ F_n, while the load turns, grows, or follows a program. On a ramp the
+//! load, or commands, grow in proportion to the load factor. A command is the displacement that a finger would make if the object were absent.
 
 use super::chart::Chart;
 use super::friction_chart::DrawnProgram;
@@ -33,7 +33,7 @@ use crate::load_path::{Leg, Ramp, Turn};
 /// ```
 ///
 /// # Errors
-/// As for [`Grasp::onset_of_turn`].
+/// [`Error::Wrench`] if a load of the turn is not finite or beyond 1e50.
 pub fn chart_of_turn<const C: usize>(grasp: &Grasp<C>, turn: &Turn<C>, title: &str) -> Result<Chart, Error> {
     let place = |_, fraction: f64| (fraction * turn.angle()).to_degrees();
     let legs = [Leg::turn(turn)];
@@ -41,8 +41,7 @@ pub fn chart_of_turn<const C: usize>(grasp: &Grasp<C>, turn: &Turn<C>, title: &s
         .chart(title)
 }
 
-/// A chart of `|F_t| / (μ F_n)` of each contact against the factor of a ramp, from 0 to `most`. If the ramp is a load, the factor is the multiple of
-/// this load.
+/// A chart of `|F_t| / (μ F_n)` of each contact against the load factor of a ramp, from 0 to `most`.
 ///
 /// ```
 /// use grasp_lcp::picture::chart_of_load;
@@ -57,7 +56,8 @@ pub fn chart_of_turn<const C: usize>(grasp: &Grasp<C>, turn: &Turn<C>, title: &s
 /// ```
 ///
 /// # Errors
-/// As for [`Grasp::follow`].
+/// [`Error::Wrench`] if a load, [`Error::Contact`] if a command is not finite or beyond 1e50; [`Error::Size`] if the ramp has more or fewer command
+/// changes than there are contacts.
 pub fn chart_of_load<const C: usize>(
     grasp: &Grasp<C>,
     ramp: &Ramp<C>,
@@ -86,7 +86,8 @@ pub fn chart_of_load<const C: usize>(
 /// ```
 ///
 /// # Errors
-/// As for [`Grasp::follow`].
+/// [`Error::Wrench`] if a load, [`Error::Contact`] if a command is not finite or beyond 1e50; [`Error::Size`] if a leg has more or fewer commands
+/// than there are contacts.
 pub fn chart_of_program<const C: usize>(
     grasp: &Grasp<C>,
     start: Wrench<C>,

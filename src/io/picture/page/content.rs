@@ -16,7 +16,7 @@ use crate::picture::actuators::Actuators;
 ///
 /// * contacts, coloured by their states, with friction cones as long as the normal forces in them;
 /// * the force F on the object at each contact and the force of the load on its line of action. All answers have one scale, short enough that contact
-///   forces do not pass through the object. A load that would be too short to be visible is drawn longer, and its label says so;
+/// forces do not pass through the object. If the arrow of a load is too short to be visible, it is drawn longer, and its label says so;
 /// * for all points of a [soft fingertip](crate::spatial::SoftFingertip) one force and one cone, at their centre of pressure, and dots in the colours
 ///   of the states of the points;
 /// * the moment of the load about its line of action (the whole moment of a load without force), with two heads. If the line is far from the grasp,
@@ -93,8 +93,8 @@ impl Page {
         self.body_outline(0, corners)
     }
 
-    /// Adds a closed line that moves with one of [several bodies](crate::grasp::Bodies); `body` is the index of this body, from 0. Otherwise as
-    /// [`Self::outline`].
+    /// Adds a closed line that moves with one of [several bodies](crate::grasp::Bodies), corner by corner, m; `body` is the index of this body, from
+    /// 0. In the plane z is zero. As with [`Self::outline`], two corners give the line between them, and several calls add several lines.
     pub fn body_outline(
         mut self,
         body: usize,
@@ -104,7 +104,8 @@ impl Page {
         self
     }
 
-    /// Adds a closed line on something that does not move, such as a fingertip or a table, corner by corner, m; otherwise as [`Self::outline`].
+    /// Adds a closed line on something that does not move, such as a fingertip or a table, corner by corner, m. In the plane z is zero. Two corners
+    /// give the line between them, and several calls add several lines.
     pub fn fixture(mut self, corners: impl IntoIterator<Item = impl Into<[f64; 3]>>) -> Self {
         self.fixtures.push(corners.into_iter().map(Into::into).list());
         self

@@ -101,8 +101,8 @@ fn entry(sample: LegendSample, words: &str) -> Entry {
     Entry { sample, words: words.into(), size: 14.0, ink: BLACK }
 }
 
-/// The legend entry for a scale on which one `unit` is `pixels` pixels long: the arrow of a force or moment whose size is a round number. `None` if
-/// no arrow can be drawn at this scale.
+/// The legend entry for a scale on which one `unit` is `pixels` pixels long: the arrow of a force or moment whose magnitude is a round number. `None`
+/// if no arrow can be drawn at this scale.
 fn scale(pixels: f64, width: f64, heads: usize, unit: &str) -> Option<Entry> {
     // The arrow that shows the scale is at most 100 pixels long.
     let shown = 100.0 / pixels;

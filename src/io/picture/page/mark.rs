@@ -69,13 +69,13 @@ pub(super) enum MarkShape {
         radii: [Vector3<f64>; 2],
         ink: Rgb,
     },
-    /// The arrow of a load. If it would be too short to be visible, it is lengthened, and then not to scale.
+    /// The arrow of a load. If it is too short to be visible, it is lengthened, and then not to scale.
     Load {
         from: Vector3<f64>,
         along: Vector3<f64>,
         width: f64,
         heads: usize,
-        /// The label of the arrow if it is to scale: its name and size. An empty label is not written.
+        /// The label of the arrow if it is to scale: its name and magnitude. An empty label is not written.
         name: String,
         /// The label of the arrow if it is not to scale, which says so.
         otherwise: String,

@@ -1,6 +1,6 @@
 //! The marks of a spatial picture, in the coordinates of the grasp: the marks of the grasp alone, and the marks of each answer. A mark is a line, an
-//! arrow, a cone, a dot or a name; a fixture is something that does not move. A fingertip is a contact with all its points, a link a joint between
-//! two bodies, such as a cable.
+//! arrow, a cone, a dot or a name; a fixture is something that does not move. A fingertip is a contact with all its points. A link joins two bodies,
+//! as a hinge or a cable does.
 
 use nalgebra::{Matrix3, Vector3};
 
@@ -132,7 +132,7 @@ fn marks_of_a_fingertip(
     marks
 }
 
-/// The points of a fingertip, each in the colour of its state.
+/// The points of a fingertip, each in the colour of its contact state.
 fn dots(contacts: &[Contact], state: &Equilibrium, tip: &ContactPoints) -> Vec<Mark> {
     let radius = if tip.is_soft() { SPATIAL.soft_point } else { SPATIAL.contact };
     let dot = |i: usize| {

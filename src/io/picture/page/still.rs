@@ -23,8 +23,8 @@ impl Page {
     /// draws the grasp alone. In space all answers of a page seen from the same side have the same scales of forces, moments, displacements and
     /// lengths, so that their pictures can be compared. The marks of all answers lie inside the picture.
     ///
-    /// A friction cone is normally a little higher than the arrow of its normal force. If its radius would then exceed half the size of the grasp (μ
-    /// far above 1), the whole cone is drawn smaller.
+    /// A friction cone is normally a little higher than the arrow of its normal force. If the radius of such a cone exceeds half the size of the
+    /// grasp (μ far above 1), the whole cone is drawn smaller.
     ///
     /// ```
     /// use grasp_lcp::picture::{Page, View};
@@ -43,7 +43,8 @@ impl Page {
     /// ```
     ///
     /// # Errors
-    /// [`PictureError`] if there is no such answer, an angle of the view is not finite, or for the reasons of [`Self::to_html`].
+    /// [`PictureError`] if there is no such answer, or an angle of the view is not finite. Also if a corner of an outline or a number of an answer is
+    /// not finite, or if an answer has another number of contacts than the grasp.
     pub fn to_svg(&self, answer: Option<usize>, view: View) -> Result<String, PictureError> {
         let given = self.frames.len();
         let chosen = |k: usize| {

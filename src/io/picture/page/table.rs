@@ -176,7 +176,7 @@ fn numbers(
     [pushes, rubs, moment, used, friction, force(answer.margin()), length(most(points)), length(moves)]
 }
 
-/// Writes the state of a contact, in the colour of `look`, and its numbers.
+/// Writes the contact state of a contact, in the colour of `look`, and its numbers.
 fn write_row(
     page: &mut String,
     contact: &Contact<3>,
