@@ -33,7 +33,7 @@ use crate::load_path::{Leg, Ramp, Turn};
 /// ```
 ///
 /// # Errors
-/// [`Error::Wrench`] if a load of the turn is not finite or beyond 1e50.
+/// [`Error::Wrench`] if a load of the turn is not finite or beyond 1e50; [`Error::Argument`] unless its angle is more than zero and at most 1e6 rad.
 pub fn chart_of_turn<const C: usize>(grasp: &Grasp<C>, turn: &Turn<C>, title: &str) -> Result<Chart, Error> {
     let place = |_, fraction: f64| (fraction * turn.angle()).to_degrees();
     let legs = [Leg::turn(turn)];

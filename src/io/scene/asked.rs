@@ -1,6 +1,5 @@
 //! Translates the questions of a scene into calls of methods of the scene's [`Grasp`], and answers them. A setup is a grasp with its questions, in
-//! the plane or in space. A drive is the motor of a joint, or a tendon. A command is the displacement that a finger, joint or tendon would make
-//! without the object.
+//! the plane or in space. A command is the displacement that a finger, joint or tendon would make without the object.
 
 use super::answer::Answer;
 use super::labels::SceneNames;
@@ -18,11 +17,11 @@ use crate::numerics::tried;
 use crate::words::Words;
 
 impl<const C: usize> Setup<C> {
-    /// Refuses a question with a list whose length is not the number of contacts, drives or joints of this setup. Refuses a question in which
-    /// neither a load nor a command changes.
+    /// Refuses a question with a list of the wrong length, such as one command for each contact, or for each joint and tendon, of this setup. Refuses
+    /// a question in which neither a load nor a command changes.
     ///
     /// # Errors
-    /// As for [`Self::answers`].
+    /// An [`Error`] for a malformed setup, or with the fault of the question.
     pub fn check(&self, question: &Question<C>) -> Result<(), Error> {
         inside(self).check_question(&inside(question))
     }
@@ -30,7 +29,7 @@ impl<const C: usize> Setup<C> {
     /// The answer to every question, in order.
     ///
     /// # Errors
-    /// As for [`Self::grasp`] and the methods of [`Grasp`] that answer: a malformed question is an error, "no equilibrium" is an answer.
+    /// An [`Error`] for a malformed setup or question. That no equilibrium exists is an answer.
     pub fn answers(&self) -> Result<Vec<Answer<C>>, Error> {
         self.answers_in(Words::default())
     }
@@ -38,7 +37,7 @@ impl<const C: usize> Setup<C> {
     /// The answer to every question, in order. `words` is the form of the numbers in sentences.
     ///
     /// # Errors
-    /// As for [`Self::answers`].
+    /// An [`Error`] for a malformed setup or question. That no equilibrium exists is an answer.
     pub fn answers_in(&self, words: Words) -> Result<Vec<Answer<C>>, Error> {
         inside(self).answered(words).map(outside)
     }
@@ -56,7 +55,8 @@ impl Setup<3> {
         question
     }
 
-    /// Checks a question, as for [`Self::check`], in the plane or in space. Vectors have three components; in the plane the third is zero.
+    /// Checks a question, in the plane or in space. Refuses lists of the wrong length, and a question in which neither a load nor a command changes.
+    /// Vectors have three components; in the plane the third is zero.
     pub(super) fn check_question(&self, question: &Question<3>) -> Result<(), Error> {
         self.check_growing(question)?;
         match &*self.meant(question)? {
@@ -115,26 +115,26 @@ impl Setup<3> {
         Ok(())
     }
 
-    /// Numbers of contacts, of drives (joints and tendons) and of joints. A contact that a constant force presses counts as one more joint: the slide
-    /// along which the force moves it.
+    /// Numbers of contacts, of joints and tendons together, and of joints. A contact that a constant force presses counts as one more joint: the
+    /// slide along which the force moves it.
     fn lengths(&self) -> [usize; 3] {
         let slides = self.entries().filter(|entry| entry.contact.force.is_some()).count();
         let joints = self.fingers.iter().map(|finger| finger.joints.len()).sum::<usize>() + slides;
         [self.entries().count(), joints + self.tendons.len(), joints]
     }
 
-    /// The answers to all questions, as for [`Self::answers_in`], in the plane or in space. Vectors have three components; in the plane the third is
-    /// zero.
+    /// The answers to all questions, in order, in the plane or in space; `words` is the form of the numbers in sentences. Vectors have three
+    /// components; in the plane the third is zero.
     pub(crate) fn answered(&self, words: Words) -> Result<Vec<Answer<3>>, Error> {
         let grasp = self.grasp_checked()?;
         tried(&self.questions, &|question| self.answer_in(&grasp, question, words))
     }
 
-    /// The answer to one question, with numbers as in [`Self::answers_in`]. `grasp` is the setup's [grasp](Self::grasp). The same grasp serves all
-    /// questions, because it keeps the factorised equations of the state in which all contacts stick.
+    /// The answer to one question; `words` is the form of the numbers in sentences. `grasp` is the setup's [grasp](Self::grasp). The same grasp
+    /// serves all questions, because it keeps the factorised equations for the case in which all contacts stick.
     ///
     /// # Errors
-    /// As for [`Self::answers`].
+    /// An [`Error`] for a malformed question. That no equilibrium exists is an answer.
     pub fn answer_in(
         &self,
         grasp: &Grasp<3>,

@@ -59,7 +59,7 @@ impl Setup<3> {
             for (n, x) in normal.iter().zip(force) {
                 (along, length) = (along + n * x, length.hypot(*n));
             }
-            // A force presses on a contact if its component against the normal is more than 1e-6 of its size.
+            // A force presses on a contact if its component against the normal is more than 1e-6 of its magnitude.
             along < -1e-6 * size * length
         };
         let hangs = |LinkSetup { link, .. }: &LinkSetup<3>| {

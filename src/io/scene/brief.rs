@@ -1,5 +1,5 @@
 //! Short answers, of about a hundred bytes each: outcome, load factor, and the first contact that slips. The load factor is the multiple of a growing
-//! load, and the onset is the load at which a contact first slips. A setup is a grasp with its questions; a leg is a section of a load program.
+//! load. First slip is the event at which the first contact ceases to stick; the onset is its load factor. A leg is a section of a load program.
 
 use serde::Serialize;
 
@@ -43,7 +43,7 @@ pub struct Brief {
     pub outcome: &'static str,
     /// The load factor at first slip; for `hold` the load factor at which equilibrium is lost. For `need` the value of the sought quantity, such as a
     /// factor on the clamping forces. For `improve` the least friction margin, N, if a large margin is the goal. For `compare` and `shakedown` the
-    /// multiple of the loads up to which the answer holds. For `identify` the value of the first unknown.
+    /// multiple of the loads up to which the answer holds. For `identify` the value of the first parameter in its list.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub factor: Option<f64>,
     /// The load factor at which a contact first stops sticking, for `hold`.
@@ -61,7 +61,7 @@ pub struct Brief {
     /// The leg of the load program on which the load path ends, counted from 0.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub leg: Option<usize>,
-    /// The fraction of this leg that was followed, from 0 to 1.
+    /// The fraction of the leg [`Self::leg`] that was followed, from 0 to 1.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub fraction: Option<f64>,
     /// The least friction margin `μ F_n - |F_t|` of an equilibrium, N, over the contacts with friction and a finite margin.
@@ -85,15 +85,14 @@ impl<const C: usize> Setup<C> {
     /// Short answers to all questions, in order.
     ///
     /// # Errors
-    /// As for [`Self::answers`].
+    /// An [`Error`] for a malformed setup or question. That no equilibrium exists is an answer.
     pub fn brief_answers(&self) -> Result<Vec<Brief>, Error> {
         inside(self).answered_briefly()
     }
 }
 
 impl Setup<3> {
-    /// Short answers to all questions, as for [`Self::brief_answers`], in the plane or in space. Vectors have three components; in the plane the
-    /// third is zero.
+    /// Short answers to all questions, in order, in the plane or in space. Vectors have three components; in the plane the third is zero.
     pub(crate) fn answered_briefly(&self) -> Result<Vec<Brief>, Error> {
         let grasp = self.grasp_checked()?;
         tried(&self.questions, &|question| self.brief_answer(&grasp, question))
@@ -236,7 +235,7 @@ fn held_briefly(verdict: &Verdict<3>) -> Brief {
     Brief { factor, first_slip, first: contact, beyond_small_motions, ..Brief::new("hold", outcome) }
 }
 
-/// Short answer to `need`: the least or largest value of the sought quantity, such as squeeze, friction or load.
+/// Short answer to `need`: the least or largest value of the sought quantity, such as friction or load.
 fn needed_briefly(needed: &Needed) -> Brief {
     let outcome = match needed.amount {
         Amount::Bound { .. } => "bound",
@@ -290,8 +289,8 @@ fn shaken_briefly(shaken: &Shaken<3>) -> Brief {
     Brief { leg: on, first: slides, beyond_small_motions, ..Brief::new("shake", outcome) }
 }
 
-/// Short answer to `shakedown`: whether slip ceases in any order of the loads, the shakedown factor, and a contact that would slide beyond this
-/// factor.
+/// Short answer to `shakedown`: whether slip ceases in any order of the loads, the shakedown factor, and a contact that slides if the loads exceed
+/// this factor.
 fn shakedown_briefly(found: Option<&Shakedown<3>>) -> Brief {
     let Some(found) = found else { return Brief::new("shakedown", "undecided") };
     let outcome = match found.rests(1.0) {
@@ -317,7 +316,7 @@ fn compared_briefly(answer: &CompareAnswer<3>) -> Brief {
     Brief { factor: answer.agrees_up_to, ..Brief::new("compare", outcome) }
 }
 
-/// Short answer to `identify`: how the search ended, and the value of the first unknown if the observed slips determine it.
+/// Short answer to `identify`: how the search ended, and the value of the first parameter, if the observations determine it.
 fn identified_briefly(found: &Identified) -> Brief {
     let first = found.estimates.first().filter(|estimate| estimate.is_fixed);
     Brief { factor: first.map(|estimate| estimate.value), ..Brief::new("identify", ended(&found.ending)) }

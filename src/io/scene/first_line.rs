@@ -1,6 +1,6 @@
-//! The first line of every answer: one sentence, in everyday words, with the result. A leg is a section of a load program. A drive is the motor of a
-//! joint, or a tendon. A jump is a sudden motion under constant load. The object snaps over if it jumps from a point at which the path of equilibria
-//! ends.
+//! The first line of every answer: one sentence, in everyday words, with the result. A leg is a section of a load program. A drive is the spring of a
+//! joint or tendon of a hand, with its force limit. A jump is a sudden motion under constant load. The object snaps over if it jumps from a point at
+//! which the path of equilibria ends.
 
 use super::answer::Answer;
 use super::onset::{OnsetAnswer, OnsetAt};
@@ -69,8 +69,8 @@ fn at_factor(factor: f64, words: Words) -> String {
 }
 
 impl<const C: usize> Answer<C> {
-    /// The first line of an answer whose question is not given: an onset is then described by its load factor instead of its load. See
-    /// [`Question::first_line`].
+    /// The first line of an answer whose question is not given. For `onset` it states the load factor of first slip; [`Question::first_line`] states
+    /// the load instead.
     #[must_use]
     pub fn first_line(&self, words: Words) -> String {
         let digits = words.precision();
@@ -202,7 +202,8 @@ fn first_slip<const C: usize, At>(
     }
 }
 
-/// The kind of the event at an onset in words, and the contacts and drives that change their state there: "FIRST SLIP", "left and right slide".
+/// What happens at an onset, "FIRST SLIP", "FIRST OPENING" or "FIRST YIELDING". Also the contacts and drives that change there: "left and right
+/// slide".
 fn leaving<const C: usize, At>(event: &OnsetAt<C, At>, words: Words) -> (&'static str, String) {
     let changes = event.whole_changes();
     let slides = changes.iter().any(|change| {

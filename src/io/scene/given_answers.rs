@@ -29,7 +29,7 @@ impl<const C: usize> Setup<C> {
     /// ```
     ///
     /// # Errors
-    /// As for [`Grasp::hold`].
+    /// An [`Error`] if the load is not finite or beyond 1e50.
     pub fn tell_outcome(
         grasp: &Grasp<C>,
         load: &Wrench<C>,
@@ -46,7 +46,8 @@ impl<const C: usize> Setup<C> {
         outside(SceneNames(&inside(grasp)).onset(&inside(onset), |factor| Factor { factor }))
     }
 
-    /// The answer of a setup's grasp to [`Grasp::onset_of_turn`]; otherwise like [`Self::tell_onset`].
+    /// The answer of a setup's grasp to [`Grasp::onset_of_turn`], in the form of a scene's answers. This call computes the equilibrium at first slip
+    /// and the behaviour beyond it.
     #[must_use]
     pub fn tell_onset_of_turn(grasp: &Grasp<C>, onset: &path::TurnOnset<C>) -> TurnAnswer<C> {
         outside(SceneNames(&inside(grasp)).onset_of_turn(&inside(onset)))

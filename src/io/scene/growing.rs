@@ -30,7 +30,8 @@ impl Setup<3> {
     /// because the question itself contains these loads. If gravity turns, the grasp has no gravity, since the turning load is the weight.
     ///
     /// # Errors
-    /// [`Error::Question`] if the loads on other bodies cannot grow in proportion to the load, and as for [`Grasp::growing_together`].
+    /// [`Error::Question`] if the loads on other bodies cannot grow in proportion to the load; [`Error::Body`] for a body that the scene does not
+    /// have; [`Error::Wrench`] if a component of a load is not finite.
     pub fn grasp_of(&self, grasp: &Grasp<3>, question: &Question<3>) -> Result<Grasp<3>, Error> {
         self.check_growing(question)?;
         if let Some(tilted) = self.tilted_grasp(question)? {

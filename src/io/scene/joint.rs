@@ -1,4 +1,4 @@
-//! Joints in the text of a scene. The drive of a joint is a motor that acts like a spring towards its commanded position.
+//! Joints in the text of a scene. The drive of a joint is the spring that pulls the joint to its commanded position, with a force limit.
 
 use crate::numerics::by_axis;
 use std::sync::Arc;

@@ -27,7 +27,7 @@ impl Setup<3> {
     /// always depend on the stiffness of contacts; the warning therefore lists every question `solve`.
     ///
     /// # Errors
-    /// As for [`Self::answers`].
+    /// An [`Error`] for a malformed setup or question.
     pub fn stiffness_left_out(&self) -> Result<Vec<Warning>, Error> {
         Ok(self.springs_left_out()?.into_iter().chain(self.stiffness_of_links_left_out()?).list())
     }
@@ -117,7 +117,7 @@ impl Setup<3> {
         setup
     }
 
-    /// This setup, in which contacts without a given stiffness have the springs of the trial with the number `trial`.
+    /// This setup, in which contacts without a given stiffness have the stiffnesses of the trial with the number `trial`.
     fn with_springs(&self, trial: usize) -> Self {
         let mut setup = self.clone();
         let mut entries: Vec<&mut Fingertip<3>> = setup.contacts.iter_mut().list();

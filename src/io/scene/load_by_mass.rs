@@ -8,7 +8,7 @@ use crate::serial::{Given, Number, ShortList};
 /// The end of the message about a field `accelerated` without a `mass`. It also says in which scenes the mass may be left out.
 pub(super) const ALONE: &str = "needs a `mass` beside it; without one it is that of all bodies by their own masses, in a scene with \"gravity\" and \"shared_by_mass\": true";
 
-/// The rotation of the arm.
+/// The rotation of the arm: its axis, its angular velocity and its angular acceleration.
 #[derive(serde::Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct WrittenTurning {
@@ -35,7 +35,7 @@ pub(super) struct WrittenMass<'w> {
 }
 
 impl WrittenMass<'_> {
-    /// The load of the carried body on the grasp, i.e. weight and inertia, in the plane or in space; `None` if no mass is given.
+    /// The load of the carried body on the grasp, i.e. its weight and inertial force, in the plane or in space; `None` if no mass is given.
     pub(super) fn load_in(&self, space: Space) -> Result<Option<Wrench<3>>, String> {
         let Some(mass) = self.mass else {
             let others = [

@@ -41,8 +41,8 @@
 //! | `questions` | a list of questions | none |
 //! | `settings` | settings for all questions | [`Settings::default`](crate::Settings) |
 //!
-//! A contact (see [`Contact`](crate::grasp::Contact) for signs and frames). Numbers are finite and at most 1e50 in size; moreover friction may be
-//! `"infinite"` and a spring `"rigid"`:
+//! A contact (see [`Contact`](crate::grasp::Contact) for signs and frames). Numbers are finite and at most 1e50 in magnitude; moreover friction may
+//! be `"infinite"` and a spring `"rigid"`:
 //!
 //! | field | value | unit | if left out |
 //! |---|---|---|---|
@@ -174,7 +174,7 @@
 //! | `need` | `quantity`, loads, `together_with` | the least squeeze or friction that the grasp needs, or the largest load, arm or angle that it holds, see [`Need`](crate::need::Need) |
 //! | `improve` | `base`, loads, `at_most`; a `surface` of contacts | better places of the fingers, and their clamping forces, see [`Improve`](crate::improve::Improve) |
 //! | `solve` | `load` (a wrench), `together_with` | the equilibrium under the load |
-//! | `compare` | `base`, `load` (wrenches) | whether the minimum of energy, from a quadratic program, is the equilibrium, and up to which fraction of the load, see [`energy`](crate::energy) |
+//! | `compare` | `base`, `load` (wrenches) | whether the minimum of energy, from a quadratic program, is the equilibrium, and up to which multiple of the load, see [`energy`](crate::energy) |
 //! | `onset` | `base`, `direction` (wrenches), `command_change`, `joint_change`, `together_with` | the onset of sliding under `base + τ direction`, while commands change by τ times `command_change` and `joint_change` |
 //! | `onset_of_turn` | a turn | the onset of sliding while the load turns |
 //! | `follow` | `start` (a wrench), `legs`, `in_steps` | the load path of a load program. With `in_steps`, the error that each leg may add to forces, the path is followed in steps, which suits hundreds of contacts |

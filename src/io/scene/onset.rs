@@ -1,5 +1,5 @@
-//! Answers about first slip, also called onset: the event at which the first contact stops sticking. They give its load factor under a growing load,
-//! or its angle under a turning load. A drive is a motor or a tendon of a joint.
+//! Answers about first slip, the event at which the first contact ceases to stick. They give the onset, i.e. the load factor of first slip, or the
+//! angle of first slip under a turning load. A drive is the spring of a joint or tendon of a hand, with its force limit.
 
 use crate::numerics::IntoList;
 use serde::{Deserialize, Serialize};

@@ -1,5 +1,5 @@
-//! Answers to `follow`: the events along the load path of a load program. A leg is a section of the program. An event is a point of the path at which
-//! a contact or a drive changes its state.
+//! Answers to `follow`: the events along the load path of a load program. A leg is a section of the program. An event is a change of contact states
+//! at one point of the path, or a joint or tendon that reaches its force limit there.
 
 use serde::{Deserialize, Serialize};
 

@@ -1,5 +1,6 @@
-//! Questions about a scene: equilibrium, first slip under a growing or turning load, load path, and others. The base load acts before the load of the
-//! question grows; a leg is a section of a load program. An onset of sliding is the load at which a contact first slips.
+//! Questions about a scene: equilibrium, first slip under a growing or turning load, load path, and others. First slip is the event at which the
+//! first contact ceases to stick; the onset is its load factor. The base load acts before the load of the question grows. A leg is a section of a
+//! load program.
 
 use std::collections::BTreeMap;
 

@@ -1,5 +1,5 @@
 //! Answers that begin with a sentence: to `hold`, `need`, `improve`, `identify` and about repeated loads. An amount is a value of the quantity that
-//! `need` seeks, an unknown a number of the grasp that `identify` estimates.
+//! `need` seeks. A parameter is a number of the grasp that `identify` estimates.
 
 use std::fmt;
 
@@ -112,7 +112,7 @@ impl<const C: usize> ImproveAnswer<C> {
     }
 }
 
-/// The identified unknowns with their standard errors; see [`Identified`].
+/// The identified parameters of the grasp with their standard errors; see [`Identified`].
 ///
 /// ```
 /// use grasp_lcp::scene::Scene;
@@ -141,7 +141,7 @@ impl<const C: usize> ImproveAnswer<C> {
 pub struct IdentifyAnswer {
     /// The answer in a sentence.
     pub says: String,
-    /// The estimates of the unknowns. In the text the fields of `identified` are fields of this answer itself.
+    /// The estimates of the parameters. In the text the fields of `identified` are fields of this answer itself.
     #[serde(flatten)]
     pub identified: Identified,
 }

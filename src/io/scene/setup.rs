@@ -1,5 +1,5 @@
 //! A grasp with its questions, in the plane or in space. A hand has fingers with joints. A soft fingertip is a contact that is spread over a patch of
-//! points. An onset is the load at which a contact first slips.
+//! points. The onset is the load factor of first slip, the event at which the first contact ceases to stick.
 
 use crate::numerics::IntoList;
 use nalgebra::SVector;
@@ -91,7 +91,8 @@ pub struct Setup<const C: usize> {
     /// The questions, in the order of their answers.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub questions: Vec<Question<C>>,
-    /// The settings for all questions. With the polygonal cone, an onset is the load at which a contact force reaches a facet ([`Grasp::onset`]).
+    /// The settings for all questions. With the polygonal cone, the onset is the load factor at which a contact force reaches a facet
+    /// ([`Grasp::onset`]).
     #[serde(default, skip_serializing_if = "is_default")]
     pub settings: Settings,
 }
@@ -206,8 +207,8 @@ impl<const C: usize> Setup<C> {
     /// The grasp with the settings of the setup. It may have more contacts than the scene, since soft fingertips become several contacts.
     ///
     /// # Errors
-    /// As for [`Grasp::new`], [`Hand::grasp`] and [`SoftFingertip`](crate::grasp::SoftFingertip), with the index
-    /// that the contact has in the scene.
+    /// An [`Error`] for the first part that is missing or out of range, for example [`Error::EmptyGrasp`], [`Error::Contact`], [`Error::Fingertip`]
+    /// or [`Error::Hand`]. It names a contact by the index that the contact has in the scene.
     pub fn grasp(&self) -> Result<Grasp<C>, Error> {
         inside(self).grasp_checked().map(outside)
     }
@@ -265,7 +266,7 @@ impl Setup<3> {
         Ok(points + self.points_of_links()?.len())
     }
 
-    /// The grasp of this setup, as for [`Self::grasp`], in the plane or in space. Vectors have three components; in the plane the third is zero.
+    /// The grasp with the settings of the setup, in the plane or in space. Vectors have three components; in the plane the third is zero.
     pub(super) fn grasp_checked(&self) -> Result<Grasp<3>, Error> {
         let grasp = if !self.bodies.is_empty() {
             self.several_bodies()?.grasp()
@@ -282,8 +283,7 @@ impl Setup<3> {
         Ok(grasp.map_err(|error| self.in_the_scene(error))?.with(&self.settings))
     }
 
-    /// The hand that holds the object, as for [`Self::hand`], in the plane or in space. Vectors have three components; in the plane the third is
-    /// zero.
+    /// The hand that holds the object, in the plane or in space. Vectors have three components; in the plane the third is zero.
     fn whole_hand(&self) -> Result<Hand<3>, Error> {
         let mut fingers = Vec::new();
         for (index, entry) in self.contacts.iter().enumerate() {

@@ -133,7 +133,7 @@ impl Setup<3> {
         let force = |load: &Wrench<3>| load.force_part();
         let mut heaviest = 0.0_f64;
         for question in &self.questions {
-            // The load of a question `onset` is its field `direction` times the load factor; the size of this vector therefore has no meaning.
+            // The load of a question `onset` is its field `direction` times the load factor; the magnitude of this vector therefore has no meaning.
             if !matches!(question, Question::Onset { .. }) {
                 for load in applied_loads(question) {
                     heaviest = heaviest.max(force(&load).norm());

@@ -15,15 +15,15 @@ impl<const C: usize> Setup<C> {
     /// The limits of [small motions](crate::Settings::small_motions) stay in force in all trials.
     ///
     /// # Errors
-    /// As for [`Self::answers`].
+    /// An [`Error`] for a malformed setup or question.
     pub fn depends_on_tangential_stiffness(&self) -> Result<Vec<usize>, Error> {
         inside(self).where_tangential_springs_matter()
     }
 }
 
 impl Setup<3> {
-    /// Indices of the questions whose answers depend on the tangential stiffness, as for [`Self::depends_on_tangential_stiffness`], in the plane or
-    /// in space. Vectors have three components; in the plane the third is zero.
+    /// Indices of the questions whose answers depend on the tangential stiffness, in the plane or in space. Vectors have three components; in the
+    /// plane the third is zero.
     fn where_tangential_springs_matter(&self) -> Result<Vec<usize>, Error> {
         // If the tangential stiffness of all contacts changes alike, they share a tangential load as before. One contact that is stiffer than the
         // others takes more of this load, so each contact is also made stiffer alone.

@@ -1,4 +1,4 @@
-//! Tolerances of the warnings about a scene: differences below which two numbers count as equal.
+//! Tolerances of the warnings about a scene: differences up to which two numbers count as equal.
 
 /// Relative difference up to which the normal force without load counts as the given `pressed_with`.
 ///

@@ -1,7 +1,7 @@
 //! Warnings about probable mistakes in a scene. The scene can be answered nevertheless. At rest means without load, or under the constant base load
 //! of a question. A command is the displacement that a finger would make without the object. A clearance is the gap before the command; contacts with
-//! a negative clearance overlap and press. A drive is the motor of a joint, or a tendon. A link (a hinge, spring or cable, for example) joins two
-//! bodies, or a body and the ground.
+//! a negative clearance overlap and press. A drive is the spring of a joint or tendon of a hand, with its force limit. A link (a hinge, spring or
+//! cable, for example) joins two bodies, or a body and the ground.
 
 use serde::Serialize;
 
@@ -186,7 +186,7 @@ impl Scene {
     /// Warnings about probable mistakes in the scene.
     ///
     /// # Errors
-    /// As for [`Setup::warnings`].
+    /// An [`Error`] if the scene gives no grasp, or if a question is malformed.
     pub fn warnings(&self) -> Result<Vec<Warning>, Error> {
         self.setup.warnings()
     }
@@ -194,7 +194,7 @@ impl Scene {
     /// Probable mistakes that are found before any question is answered: all warnings except those of [`Self::stiffness_left_out`].
     ///
     /// # Errors
-    /// As for [`Setup::warnings`].
+    /// An [`Error`] if the scene gives no grasp, or if a question is malformed.
     pub fn warnings_at_once(&self) -> Result<Vec<Warning>, Error> {
         self.setup.warnings_at_once()
     }
@@ -202,7 +202,7 @@ impl Scene {
     /// Warnings about contacts and links without a stiffness on which an answer depends; see [`Setup::stiffness_left_out`].
     ///
     /// # Errors
-    /// As for [`Setup::warnings`].
+    /// An [`Error`] if the scene gives no grasp, or if a question is malformed.
     pub fn stiffness_left_out(&self) -> Result<Vec<Warning>, Error> {
         self.setup.stiffness_left_out()
     }
@@ -212,22 +212,22 @@ impl<const C: usize> Setup<C> {
     /// Warnings about probable mistakes in the setup.
     ///
     /// # Errors
-    /// As for [`Self::grasp`].
+    /// An [`Error`] if the setup gives no grasp, or if a question is malformed.
     pub fn warnings(&self) -> Result<Vec<Warning>, Error> {
         inside(self).all_warnings()
     }
 }
 
 impl Setup<3> {
-    /// All warnings about this setup, as for [`Self::warnings`], in the plane or in space. Vectors have three components; in the plane the third is
-    /// zero.
+    /// Warnings about probable mistakes in this setup, in the plane or in space. Vectors have three components; in the plane the third is zero.
     pub(crate) fn all_warnings(&self) -> Result<Vec<Warning>, Error> {
         let mut warnings = self.warnings_at_once()?;
         warnings.extend(self.stiffness_left_out()?);
         Ok(warnings)
     }
 
-    /// Probable mistakes that are found before any question is answered, in the plane or in space; see [`Scene::warnings_at_once`].
+    /// Probable mistakes that are found before any question is answered, in the plane or in space: all warnings except those of
+    /// [`Self::stiffness_left_out`].
     fn warnings_at_once(&self) -> Result<Vec<Warning>, Error> {
         let grasp = self.grasp_checked()?;
         let mut warnings = self.odd_contacts(&grasp);

@@ -32,8 +32,8 @@ impl<const C: usize> Setup<C> {
 }
 
 impl Setup<3> {
-    /// Refuses a question that counts a weight twice, as for [`Self::refuse_weight_twice`], in the plane or in space. Vectors have three components;
-    /// in the plane the third is zero.
+    /// Refuses a question that states a mass, or a weight whose direction turns, for bodies on which the gravity of the scene already acts. Vectors
+    /// have three components; in the plane the third is zero.
     fn refuse_twice(&self, question: &Value, path: &str) -> Result<(), Fault> {
         match self.own_mass().and_then(|_| self.weight_twice(question, path, None)) {
             Some((field, message)) => {

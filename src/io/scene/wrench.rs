@@ -135,8 +135,8 @@ impl<'de, const C: usize> Deserialize<'de> for Wrench<C> {
             if let Some(points) = points {
                 wrench = wrench.acting_at(points);
             }
-            // The weight and inertia of a body that an arm carries are added only if the wrench has a `mass`: adding a zero wrench would change -0 to
-            // 0.
+            // The weight and inertial force of a body that an arm carries are added only if the wrench has a `mass`: adding a zero wrench would
+            // change -0 to 0.
             Ok(carried.load_in(space)?.map_or(wrench, |pull| wrench + Self::from_inside(pull)))
         })
     }

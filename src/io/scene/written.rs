@@ -126,7 +126,7 @@ impl Scene {
     /// The answer to every question, in order. Sentences give lengths in the [unit](Self::unit) of the scene, all fields give them in m.
     ///
     /// # Errors
-    /// As for [`Setup::answers`].
+    /// An [`Error`] for a malformed setup or question. That no equilibrium exists is an answer.
     pub fn answers(&self) -> Result<Answers, Error> {
         self.answers_in(Words::default().in_unit(self.unit))
     }
@@ -134,7 +134,7 @@ impl Scene {
     /// The answer to every question, in order. `words` determines digits and units of the numbers in sentences.
     ///
     /// # Errors
-    /// As for [`Setup::answers`].
+    /// An [`Error`] for a malformed setup or question. That no equilibrium exists is an answer.
     pub fn answers_in(&self, words: Words) -> Result<Answers, Error> {
         let list = self.setup.answered(words)?;
         Ok(Answers { space: self.setup.space, list })
