@@ -62,7 +62,7 @@ pub(crate) enum Command {
         /// A constant force, N, that acts before the load and then together with it, at the same point (--at).
         #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
         base: Option<Numbers>,
-        /// Factor on the load; the base load keeps its size.
+        /// Factor on the load; the base load stays as it is.
         #[arg(long, allow_hyphen_values = true, value_parser = times, value_name = "TIMES")]
         safety: Option<f64>,
         /// Says whether the answer changes by more than 5 % if all contacts are a tenth or ten times as stiff along their tangents, or one is ten
@@ -91,7 +91,7 @@ pub(crate) enum Command {
         /// A constant force, N, that acts before the load and then together with it, at the same point (--at).
         #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
         base: Option<Numbers>,
-        /// A force of any direction in addition to the load, N; a load factor of 1 means a force of this size.
+        /// A force of any direction in addition to the load, N; a load factor of 1 means a force of this magnitude.
         #[arg(long, allow_hyphen_values = true, value_parser = newtons, value_name = "N")]
         any_force: Option<f64>,
         /// Contacts may press with up to this force, N; if left out, the finger commands of the scene do not change.
@@ -110,7 +110,7 @@ pub(crate) enum Command {
         #[command(flatten)]
         ask: SceneArguments,
     },
-    /// Is the equilibrium the state of least energy, which a quadratic program finds, and up to which multiple of the load?
+    /// Is the equilibrium also the minimum of energy that a quadratic program finds, and up to which multiple of the load?
     Compare {
         #[command(flatten)]
         load: LoadArguments,
@@ -176,11 +176,11 @@ pub(crate) enum Command {
     },
     /// Identifies friction, support loads, clamping force or stiffness from observed slips.
     ///
-    /// Columns of the load under which the object slid: fx, fy, fz (N), mx, my, mz (N m; in the plane one column m), and at_x, at_y, at_z (m), the
-    /// point of the force. Columns base_x, base_y, base_z (N) are the force that acted before, a weight for instance, at the origin as in --base.
-    /// Further columns: squeeze (factor on the clamping forces of the scene), slip (first or gross), scatter_percent (standard deviation of the
-    /// load, percent), and group, a name or number that is the same for slips that may share an error. Every estimate comes with its standard
-    /// error; quantities that the slips do not determine are named.
+    /// Each row of the table is one observation of slip. Columns of the load under which the object slid: fx, fy, fz (N), mx, my, mz (N m; in the
+    /// plane one column m), and at_x, at_y, at_z (m), the point of the force. Columns base_x, base_y, base_z (N) are the force that acted before, a
+    /// weight for instance, at the origin as in --base. Further columns: squeeze (factor on the clamping forces of the scene), slip (first or gross),
+    /// scatter_percent (standard deviation of the load, percent), and group, a name or number that is the same for observations that may share an
+    /// error. Every estimate comes with its standard error; quantities that the observations do not determine are named.
     Identify {
         #[command(flatten)]
         ask: SceneArguments,
@@ -248,14 +248,14 @@ pub(crate) enum Command {
     /// An editor completes a scene that begins with `"$schema": "scene.schema.json"`, the file name under which to save this schema.
     #[cfg(feature = "cli-full")]
     Schema {
-        /// The subject of the schema.
+        /// The file that the schema describes.
         #[arg(value_enum, default_value_t = SchemaOf::Scene)]
         of: SchemaOf,
     },
     /// Completions for a shell, to be saved in its folder of completions.
     #[cfg(feature = "cli-full")]
     Completions {
-        /// The shell.
+        /// The shell for which completions are written.
         shell: Shell,
     },
     /// The manual page, in roff.
@@ -263,11 +263,10 @@ pub(crate) enum Command {
     Man,
 }
 
-/// The subject of a schema.
 #[cfg(feature = "cli-full")]
 #[derive(Debug, Clone, Copy, ValueEnum)]
 pub(crate) enum SchemaOf {
-    /// A scene.
+    /// A scene file.
     Scene,
     /// The list of answers that `--json` prints.
     Answers,
@@ -289,8 +288,8 @@ pub(crate) struct SceneArguments {
     /// Number of significant digits.
     #[arg(long, default_value_t = 6, value_name = "N", value_parser = clap::value_parser!(u8).range(1..=17))]
     pub(crate) digits: u8,
-    /// The unit of lengths on the command line, in a table of slips, and of places and arms in answers: m, cm, mm or in; the scene's field `unit` if
-    /// left out.
+    /// The unit of lengths on the command line, in a table of observed slips, and of places and arms in answers: m, cm, mm or in; the scene's field
+    /// `unit` if left out.
     #[arg(long, value_parser = unit, value_name = "UNIT")]
     pub(crate) unit: Option<Unit>,
     /// Prints every second on standard error which question is being answered, where no terminal shows the question.
@@ -309,7 +308,7 @@ pub(crate) struct NeedArguments {
     /// A constant force, N, in addition to the load and at the same point (--at). It does not depend on the sought quantity.
     #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
     pub(crate) base: Option<Numbers>,
-    /// A force of this size, N, and of any direction, in addition to the load.
+    /// A force of this magnitude, N, and of any direction, in addition to the load.
     #[arg(long, allow_hyphen_values = true, value_parser = newtons, value_name = "N")]
     pub(crate) any_force: Option<f64>,
     /// For an arm: the direction in which the force is moved outwards.

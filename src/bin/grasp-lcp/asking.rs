@@ -26,7 +26,8 @@ pub(crate) fn ask(ask: &SceneArguments, asked: Command) -> Result<ExitCode, Fail
     ask_of(files::read(&ask.scene)?, ask, asked)
 }
 
-/// Like [`ask`], for a scene that is already read. Error messages name the file `ask.scene`.
+/// Answers the questions of a scene that is already read, or the question of the command line, and prints the answers. Error messages name the file
+/// `ask.scene`. The exit code is 4 if an answer is undecided.
 pub(crate) fn ask_of(
     mut scene: Scene,
     ask: &SceneArguments,

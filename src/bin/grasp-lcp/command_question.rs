@@ -56,9 +56,9 @@ fn warn_of_load_left_out(setup: &Setup<3>, question: &Question<3>) {
     }
 }
 
-/// Warns that a multiple of the load multiplies the weight of `--mass` together with its inertia, although the user may want only the inertia to
-/// grow. The warning is given if the load has an acceleration and no contact presses without the load. Example: a box on a belt tips over at some
-/// acceleration of the belt. If its weight grew with its inertia, the box might stand at any multiple.
+/// Warns that a multiple of the load multiplies the weight of `--mass` together with its inertial force, although the user may want only the inertial
+/// force to grow. The warning is given if the load has an acceleration and no contact presses without the load. Example: a box on a belt tips over at
+/// some acceleration of the belt. If its weight grew with its inertial force, the box might stand at any multiple.
 fn warn_of_weight_that_grows(setup: &Setup<3>, asked: &Command) {
     let load = match asked {
         Command::Hold { load, .. } => load,
@@ -199,9 +199,9 @@ fn is_of_kind(question: &Question<3>, asked: &Command) -> bool {
 }
 
 impl OptionVectors {
-    /// The sum of three loads as a wrench about the origin: the force `--force`, the moment `--moment`, and the weight of the mass `--mass` less its
-    /// inertial force (mass times acceleration). `None` if none of these options is given. `beside` is true if
-    /// another option gives a force at the point `--at`: then `--at` is allowed without `--force` and `--mass`, otherwise it is an error.
+    /// The sum of three loads as a wrench about the origin: the force `--force`, the moment `--moment`, and the weight and inertial force of the mass
+    /// `--mass`. The inertial force is minus mass times acceleration. `None` if none of these options is given. `beside` is true if another option
+    /// gives a force at the point `--at`: then `--at` is allowed without `--force` and `--mass`, otherwise it is an error.
     pub(crate) fn wrench(self, load: &LoadArguments, beside: bool) -> Result<Option<Wrench>, Failure> {
         let LoadArguments { force, moment, at, mass, .. } = load;
         if force.is_none() && mass.is_none() && at.is_some() && !beside {

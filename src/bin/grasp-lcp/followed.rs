@@ -92,7 +92,7 @@ impl Report<'_> {
     }
 
     /// Prints the soft fingertips that slide or open completely at the load at which equilibrium is lost. At this load all of their closed points
-    /// slide or have reached the edge of the friction cone.
+    /// slide or have their force on the boundary of the friction cone.
     fn on_their_edge(&mut self, loss: &Loss<3>, state: &Equilibrium<3>) -> io::Result<()> {
         let is_closed = |contact: &&ContactAnswer<3>| contact.state != ContactState::Separated;
         let slides = |contact: &ContactAnswer<3>| {

@@ -76,8 +76,7 @@ impl Lengths {
     }
 }
 
-/// Density of steel, kg/m³, which is assumed by default. Most parts are lighter, so that the jaws rather have to hold too much weight than too
-/// little.
+/// Density of steel, kg/m³, which is assumed by default. Most parts are lighter, so that the jaws usually have to hold less weight than is assumed.
 const STEEL: f64 = 7850.0;
 /// Distance, m, from the bounding box of the part at which a jaw starts, if `--opening` is left out. The jaw is then outside of the part before it
 /// closes.

@@ -1,5 +1,6 @@
-//! The command `identify`: reads a table of observed slips, and the unknowns to be estimated from them. A slip is a load under which a contact, or
-//! the object, was observed to slide.
+//! The command `identify`: reads a table of observations, and the parameters to be estimated from them. An observation is a load under which a
+//! contact, or the object, was seen to slip. A parameter is a number of the grasp, such as a coefficient of friction; in the options it is called an
+//! unknown.
 
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
@@ -15,7 +16,7 @@ use crate::loads::OptionVectors;
 use crate::needs::named;
 use grasp_lcp::scene::{Question, Setup};
 
-/// The unknowns, and the table of observed slips.
+/// The parameters to be estimated, and the table of observations.
 #[derive(Debug, clap::Args)]
 pub(crate) struct Identifies {
     /// A table of slips: rows of numbers separated by commas, semicolons or tabs, below a row with the names of the columns. If left out, the scene's
@@ -28,7 +29,7 @@ pub(crate) struct Identifies {
     /// A known sum of unknowns, given by their numbers from 0, with its standard deviation in percent.
     #[arg(long, value_name = "0+1=VALUE,PERCENT")]
     pub(crate) known: Vec<Sum>,
-    /// The slips are first slips, unless the table has a column `slip`; gross slips if left out.
+    /// Rows of the table are loads at first slip, unless the table has a column `slip`; loads at gross slip if left out.
     #[arg(long)]
     pub(crate) first: bool,
     /// The standard deviation of loads in percent, unless the table has a column for it; estimated if left out.
@@ -42,7 +43,8 @@ pub(crate) struct Identifies {
     pub(crate) unit: Unit,
 }
 
-/// One unknown to be estimated: its kind, such as friction, and the names of the contacts for which it is sought; all contacts if the list is empty.
+/// One parameter to be estimated: its kind, such as friction, and the names of the contacts for which it is sought; all contacts if the list is
+/// empty.
 #[derive(Debug, Clone)]
 pub(crate) struct UnknownGiven {
     kind: UnknownKind,
@@ -70,7 +72,7 @@ impl FromStr for UnknownGiven {
     }
 }
 
-/// A known sum of unknowns: their numbers, the value of the sum, and its standard deviation in percent.
+/// A known sum of parameters: their numbers, the value of the sum, and its standard deviation in percent.
 #[derive(Debug, Clone)]
 pub(crate) struct Sum {
     unknowns: Vec<usize>,
@@ -99,7 +101,7 @@ impl FromStr for Sum {
 }
 
 impl OptionVectors {
-    /// The question `identify` with the table of observed slips; `None` without a table: the caller then asks the scene's own questions. Without a
+    /// The question `identify` with the table of observations; `None` without a table: the caller then asks the scene's own questions. Without a
     /// table, options that need one are an error.
     pub(crate) fn identify(
         self,
@@ -131,7 +133,7 @@ impl OptionVectors {
         Ok(Some(Question::Identify(Box::new(asked))))
     }
 
-    /// The observed slips of a table, one for each row.
+    /// The observations of a table, one for each row.
     fn slips(self, path: &Path, given: &Identifies) -> Result<Vec<Slip<3>>, Failure> {
         let name = name(path);
         let refused =
@@ -184,8 +186,8 @@ impl OptionVectors {
         Ok(slips)
     }
 
-    /// The slip of one row; `heads` are the names of the columns. Slips of one group, named in the column `group`, may share an error. Groups are
-    /// numbered in the order in which the table first names them.
+    /// The observation of one row; `heads` are the names of the columns. Observations of one group, named in the column `group`, may share an error.
+    /// Groups are numbered in the order in which the table first names them.
     fn slip<'a>(
         self,
         (heads, cells): (&[&str], &[&'a str]),
@@ -256,13 +258,13 @@ impl OptionVectors {
     }
 }
 
-/// The error of a row of the table of observed slips: a faulty cell, or a faulty option of the command line.
+/// The error of a row of the table of observations: a faulty cell, or a faulty option of the command line.
 enum Fault {
     Cell(String),
     Usage(Failure),
 }
 
-/// The allowed names of columns.
+/// The allowed names of columns, in the plane or in space.
 fn columns(axes: usize) -> Vec<&'static str> {
     let of_space: &[_] = if axes == 3 {
         &["fx", "fy", "fz", "mx", "my", "mz", "at_x", "at_y", "at_z", "base_x", "base_y", "base_z"]

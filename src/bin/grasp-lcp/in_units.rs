@@ -24,7 +24,7 @@ impl Command {
     }
 
     /// Converts the lengths among the options from `unit` to m: points of loads, and a point on the axis of a turning arm. For `identify` it stores
-    /// the unit, with which the table of slips is read.
+    /// the unit of the table of observations, which is read later.
     pub(crate) fn lengths_to_metres(&mut self, unit: Unit) {
         match self {
             Self::Hold { load, .. }

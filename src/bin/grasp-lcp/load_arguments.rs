@@ -25,8 +25,8 @@ pub(crate) struct LoadArguments {
     /// The acceleration of gravity, m/s²; if left out, the gravity of the scene, or 9.81 down along the last axis.
     #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]", requires = "mass")]
     pub(crate) gravity: Option<Numbers>,
-    /// The acceleration of the arm, m/s²; the inertia of the mass is added to the load. Without --mass, the masses of the scene's bodies are
-    /// accelerated. For `need`, one number is the size of accelerations to and fro along every axis in turn; the weight acts as well.
+    /// The acceleration of the arm, m/s²; the inertial force of the mass is added to the load. Without --mass, the masses of the scene's bodies are
+    /// accelerated. For `need`, one number is the magnitude of accelerations to and fro along every axis in turn; the weight acts as well.
     #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
     pub(crate) acceleration: Option<Numbers>,
     /// A point on the axis about which the arm turns, m; the origin if left out.

@@ -49,7 +49,8 @@ impl OptionVectors {
         Ok(Payload::new(mass, [0.0; 3]).load(&self.still())?.resultant())
     }
 
-    /// The load of a mass on the grasp: its weight minus mass times acceleration.
+    /// The load of a mass on the grasp: its weight and its inertial force, which is minus mass times acceleration. A turning arm adds the inertial
+    /// moment.
     pub(crate) fn pull_of_mass(self, load: &LoadArguments) -> Result<Wrench, Failure> {
         let mut arm = self.still();
         if let Some(gravity) = &load.gravity {
@@ -92,8 +93,8 @@ impl OptionVectors {
         })
     }
 
-    /// Components about x, y and z of a moment, a rotation or an inertia. The option has one number in the plane, about z, or three in space; any
-    /// other count is an error.
+    /// Components about x, y and z of a moment, an angular velocity or acceleration, or moments of inertia. The option has one number in the plane,
+    /// about z, or three in space; any other count is an error.
     pub(crate) fn about_axes(self, numbers: &Numbers, option: &str) -> Result<[f64; 3], Failure> {
         match (self.axes, &numbers.0[..]) {
             (2, [z]) => Ok([0.0, 0.0, *z]),
@@ -134,7 +135,7 @@ impl OptionVectors {
         Ok(direction)
     }
 
-    /// The load alone, or the load and in addition a force of the size `any_force`, N, that acts at the point `at` in any direction.
+    /// The load alone, or the load and in addition a force of the magnitude `any_force`, N, that acts at the point `at` in any direction.
     pub(crate) fn loads(
         self,
         load: Option<Wrench>,

@@ -1,4 +1,4 @@
-//! The command `need`: how much of a quantity (squeeze, friction, load, arm, angle or force) the grasp needs or allows.
+//! The command `need`: how much of a quantity (clamping force, friction, load, arm, angle or force) the grasp needs or allows.
 
 use std::collections::BTreeMap;
 
@@ -151,8 +151,8 @@ impl OptionVectors {
     }
 }
 
-/// The size of accelerations to and fro along every axis, if `--acceleration` is one number. `None` without this option, and for a vector, which is a
-/// constant acceleration of the arm.
+/// The magnitude of accelerations to and fro along every axis, if `--acceleration` is one number. `None` without this option, and for a vector, which
+/// is a constant acceleration of the arm.
 fn to_and_fro(need_arguments: &NeedArguments) -> Option<&Numbers> {
     need_arguments.load.acceleration.as_ref().filter(|acceleration| acceleration.0.len() == 1)
 }

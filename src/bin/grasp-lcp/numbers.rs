@@ -80,7 +80,7 @@ pub(crate) fn kilograms(text: &str) -> Result<f64, String> {
     within(text, f64::MIN_POSITIVE..=LARGEST_NUMBER, "a number of kg, more than 0, such as 0.5")
 }
 
-/// Parses the size of a force, N.
+/// Parses the magnitude of a force, N.
 pub(crate) fn newtons(text: &str) -> Result<f64, String> {
     within(text, 0.0..=LARGEST_NUMBER, "a number of N, from 0 on, such as 4.9")
 }

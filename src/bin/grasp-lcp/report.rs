@@ -1,5 +1,5 @@
-//! Answers in words and tables. A drive is a motor or a tendon of a joint. A finger command is the displacement that a finger would make without the
-//! object.
+//! Answers in words and tables. First slip is the event at which the first contact ceases to stick; the onset is its load factor. A drive is the
+//! spring of a joint or tendon of a hand, with its force limit. A finger command is the displacement that a finger would make without the object.
 
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -176,8 +176,8 @@ impl Report<'_> {
         }
     }
 
-    /// Prints each contact whose force touches the edge of its friction cone while a load turns, but does not leave the cone. Also prints each drive
-    /// whose force or torque touches its limit, but does not exceed it.
+    /// Prints each contact whose force touches the boundary of its friction cone while a load turns, but does not leave the cone. Also prints each
+    /// drive whose force or torque touches its limit, but does not exceed it.
     fn touches(&mut self, answer: &TurnAnswer<3>) -> io::Result<()> {
         let mut named = Vec::new();
         for touch in &answer.touches {
@@ -196,7 +196,8 @@ impl Report<'_> {
         Ok(())
     }
 
-    /// Prints the contacts, joints and tendons that change their state at first slip, and the directions in which contacts then slide.
+    /// Prints the contacts that change their state at first slip, the joints and tendons that reach their limit there, and the directions in which
+    /// contacts then slide.
     fn leaving<At>(&mut self, event: &OnsetAt<3, At>) -> io::Result<()> {
         let digits = self.style.precision();
         if self.style.points {

@@ -75,7 +75,7 @@ fn is_zero(loads: &Loads<3>) -> bool {
     matches!(loads, Loads::Each(list) if list.iter().all(|load| *load == Wrench::ZERO))
 }
 
-/// The first nonzero constant load (base load or load at the start) of the scene's questions, with the number of its question from 1.
+/// The first nonzero constant load (base load or load at the start) of the scene's questions. It comes with the number of its question, from 1.
 pub(crate) fn first_base<const C: usize>(setup: &Setup<C>) -> Option<(usize, Wrench<C>)> {
     let bases = setup.questions.iter().map(Question::base);
     let is_loaded = |base: Option<Wrench<C>>| base.filter(|base| *base != Wrench::ZERO);

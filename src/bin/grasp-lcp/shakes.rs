@@ -17,8 +17,8 @@ pub(crate) struct Shakes {
     /// The mass of the object, kg; its weight (with the scene's gravity, or 9.81 m/s² down along the last axis) acts all the time.
     #[arg(long, allow_hyphen_values = true, value_parser = crate::numbers::kilograms, value_name = "KG")]
     pub(crate) mass: Option<f64>,
-    /// The acceleration, m/s², to and fro: one number along every axis in turn, or a vector.
-    /// The inertia of the mass, or of the scene's bodies under gravity, is the load.
+    /// The acceleration, m/s², to and fro: one number for every axis in turn, or a vector for its direction. The load is the inertial force of the
+    /// mass or, without --mass, of all bodies on which the scene's gravity acts.
     #[arg(long, allow_hyphen_values = true, value_name = "A or X,Y[,Z]")]
     pub(crate) acceleration: Option<Numbers>,
     /// The forces repeat in any order: up to which multiple of them could the grasp come to rest (shakedown)?
@@ -34,7 +34,7 @@ pub(crate) struct Shakes {
 
 impl OptionVectors {
     /// The question whether the grasp survives the repeated loads. `None` if the command line gives no force or acceleration to repeat: the caller
-    /// then asks the scene's own questions. Options that make no sense without a repeated load are then an error.
+    /// then asks the scene's own questions. If another option is given without a repeated load, this is an error.
     pub(crate) fn shake(self, shakes: &Shakes, setup: &mut Setup<3>) -> Result<Option<Question<3>>, Failure> {
         refuse_mass(setup, shakes.mass)?;
         let at = shakes.at.as_ref();
@@ -68,7 +68,8 @@ impl OptionVectors {
         }))
     }
 
-    /// The inertial loads of a mass that is accelerated to and fro; if `acceleration` is one number, along every axis in turn.
+    /// The inertial forces of a mass that is accelerated to and fro, in both senses. If `acceleration` is one number, the mass is accelerated along
+    /// every axis in turn.
     pub(crate) fn to_and_fro(
         self,
         mass: f64,

@@ -1,5 +1,6 @@
-//! Charts of the friction force of each contact along a load path, as a fraction of its limit. The base load acts from the start; the load of the
-//! question, times a load factor that grows from zero, acts in addition.
+//! Charts of friction. Along a load path they show the friction force of each contact, as a fraction of its limit. For a repeated load they show
+//! slips and friction forces. The base load acts from the start; the load of the question, times a load factor that grows from zero, acts in
+//! addition. First slip is the event at which the first contact ceases to stick.
 
 use grasp_lcp::ask::Grasp;
 use grasp_lcp::picture::{Chart, chart_of_load, chart_of_program, chart_of_turn, charts_of_cycles};
@@ -7,8 +8,8 @@ use grasp_lcp::scene::{Answer, OnsetAnswer, Question, Setup};
 
 use crate::failure::Failure;
 
-/// The right end of the axis of load factors, divided by the largest load factor of interest, so that the curves go on a little beyond it. Factors of
-/// interest are 1 (the load itself), the factor at first slip, and the factor at which equilibrium is lost.
+/// The right end of the axis of load factors, divided by the largest load factor of interest, so that the curves go on a little beyond it. Load
+/// factors of interest are 1 (the load itself), that of first slip, and that at which equilibrium is lost.
 const CHART_END: f64 = 1.25;
 
 /// The chart of a question with a load path: for each contact one curve, the fraction of its friction limit that the contact uses along the path.
@@ -25,8 +26,8 @@ pub(super) fn chart(
             let (ramp, verdict) = (question.ramp()?, &answer.verdict);
             let first_slip = verdict.first_slip.as_ref().map(|first| first.factor);
             let marks = [first_slip, verdict.lost.as_ref().map(|lost| lost.factor)];
-            // A first slip or loss of equilibrium beyond five times the load does not extend the chart. Otherwise the range of load factors from 0 to
-            // 1 would become too small.
+            // If first slip or the loss of equilibrium is beyond five times the load, it does not extend the chart. Otherwise the range of load
+            // factors from 0 to 1 would become too small.
             let farthest = marks.into_iter().flatten().filter(|factor| *factor <= 5.0).fold(1.0, f64::max);
             let chart = chart_of_load(grasp, &ramp, CHART_END * farthest, title)?;
             let reaches = verdict.held_to >= 1.0;
@@ -50,8 +51,9 @@ pub(super) fn chart(
     })
 }
 
-/// Charts of a repeated load. The first has the slips of contacts in each cycle, starting under the base load. The second has the loops of friction
-/// force against slip in the last cycle. As many cycles are drawn as the answer has, but at least 4 and at most 12. No charts for any other question.
+/// Charts of a repeated load that begins under the base load; none for any other question. The first has the slips of contacts in each cycle. The
+/// second has the loops of friction force against slip in the last cycle. The charts have as many cycles as were computed for the answer, but at
+/// least 4 and at most 12.
 pub(super) fn cycles(
     setup: &Setup<3>,
     grasp: &Grasp<3>,

@@ -1,5 +1,6 @@
 //! The equilibria that pictures show for an answer; the grasp alone if the answer has no equilibrium. The base load acts before the load of the
-//! question grows. A drive is the motor or spring of a joint or tendon of a hand.
+//! question grows. First slip is the event at which the first contact ceases to stick. A drive is the spring of a joint or tendon of a hand, with its
+//! force limit.
 
 use grasp_lcp::ask::Grasp;
 use grasp_lcp::equilibrium::{Equilibrium, Outcome};
@@ -19,7 +20,7 @@ use crate::words::NO_WORDS;
 pub(super) struct ShownState {
     pub(super) label: String,
     pub(super) says: Vec<String>,
-    /// The grasp to draw, if it is not the grasp of the scene. It has, for example, the needed squeeze or friction, or improved finger places.
+    /// The grasp to draw, if it is not the grasp of the scene. It has, for example, the needed friction or commands, or improved finger places.
     pub(super) grasp: Option<Grasp<3>>,
     pub(super) what: PictureContent,
 }
@@ -32,7 +33,8 @@ pub(super) enum PictureContent {
     Nothing { load: Option<Wrench<3>> },
 }
 
-/// The equilibria that illustrate the answer to one question. A load program has one for each event, such as a slip, and one for its end.
+/// The equilibria that illustrate the answer to one question. A load program has one for each event, i.e. change of contact states, and one for its
+/// end.
 pub(super) struct ShownAnswers(pub(super) Vec<ShownState>);
 
 impl ShownAnswers {
@@ -139,7 +141,7 @@ fn shaken(shaken: Shaken<3>) -> ShownState {
     }
 }
 
-/// The answer to `need`: the grasp with the needed value of the sought quantity, such as squeeze. This grasp is shown in equilibrium under the most
+/// The answer to `need`: the grasp with the needed value of the sought quantity, such as friction. This grasp is shown in equilibrium under the most
 /// demanding load of the question. If no value was found, the given grasp is shown with the load alone.
 fn needed(grasp: &Grasp<3>, need: &Need<3>, needed: &Needed) -> Result<ShownState, Failure> {
     let (amount, label) = match &needed.amount {
@@ -164,7 +166,7 @@ fn improved(
     let base = asked.base();
     let (times, when): (fn(f64) -> f64, _) = match improved.goal {
         ImproveGoal::Reserve => (|_| 1.0, "under the load"),
-        // The load just below first slip is shown: exactly at first slip, rounding errors would decide whether a contact slides.
+        // The load just below first slip is shown: exactly at first slip, rounding errors decide whether a contact slides.
         _ => (|factor| factor * (1.0 - 1e-9), "at first slip"),
     };
     let seen = |grasp: &Grasp<3>, label: &str, value: Option<f64>| {
@@ -260,7 +262,8 @@ fn followed(path: PathAnswer<3>, start: &Wrench<3>, legs: usize, words: Words) -
     states
 }
 
-/// The picture of an event: the equilibrium at the event, with a label that names the contacts and drives that change their state.
+/// The picture of an event: the equilibrium at the event, with a label that names the contacts that change their state, and the drives that reach
+/// their limit.
 fn changed(event: Event<3>, words: Words) -> ShownState {
     let contacts = event.whole_changes();
     let contacts =

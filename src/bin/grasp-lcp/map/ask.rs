@@ -1,5 +1,5 @@
-//! The question for one direction of a map, and its answer: at which force in this direction the first contact slips. The base load of a map is a
-//! constant load that acts in addition to this force.
+//! The question for one direction of a map, and its answer: at which force in this direction first slip occurs. First slip is the event at which the
+//! first contact ceases to stick. The base load of a map is a constant load that acts in addition to this force.
 
 use grasp_lcp::Error;
 use grasp_lcp::load_path::{DepartingContact, Onset, Ramp};

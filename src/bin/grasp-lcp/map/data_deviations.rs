@@ -1,5 +1,5 @@
-//! Uncertainty of friction, stiffness and clamping force in a map, which shows for every direction the force at first slip. Also the number of
-//! standard deviations by which these data may deviate before a contact slides.
+//! Options that say how uncertain friction, stiffness and clamping force are. A map shows the force at first slip for every direction. With these
+//! options it also shows a smaller force, under which these data may deviate by a given number of standard deviations before a contact slides.
 
 use clap::Args;
 use grasp_lcp::sweep::Uncertainty;
@@ -38,7 +38,7 @@ impl DataDeviations {
     }
 
     /// Two lines of text for tables and pictures: the number of standard deviations by which data may deviate before a contact slides, and the
-    /// standard deviations of friction, stiffness and squeeze.
+    /// standard deviations of friction, stiffness and clamping force.
     pub(super) fn words(&self) -> [String; 2] {
         let words = Words::default();
         let number = |x: f64| words.number(x);
@@ -50,7 +50,7 @@ impl DataDeviations {
         ]
     }
 
-    /// A JSON object with the relative standard deviations of friction, stiffness and squeeze. Its field `sigmas` is the number of standard
+    /// A JSON object with the relative standard deviations of friction, stiffness and clamping force. Its field `sigmas` is the number of standard
     /// deviations by which these data may deviate before a contact slides.
     pub(super) fn written(&self) -> serde_json::Value {
         let [friction, stiffness, squeeze] = self.parts();

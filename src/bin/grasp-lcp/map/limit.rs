@@ -69,11 +69,12 @@ pub(crate) struct LimitForce {
     pub(crate) end: LimitEnd,
 }
 
-/// Load paths are followed up to this multiple of the largest force at first slip. Larger forces would lie outside of the picture.
+/// Load paths are followed up to this multiple of the largest force at first slip. Curves of a map in the plane are drawn up to three times this
+/// force.
 pub(crate) const FOLLOWED_TO: f64 = 5.0;
 
-/// Allowed error of one integration step of a load path, relative to the largest contact force. Steps are needed where sliding directions turn. The
-/// error is invisible in a picture, and smaller steps would take most of the time.
+/// Allowed error of one integration step of a load path, relative to the largest contact force. Steps are needed where sliding directions turn. An
+/// error of this magnitude is invisible in a picture. A smaller error needs smaller steps, which take most of the time of a map.
 pub(crate) const STEP_ERROR: f64 = 1e-6;
 
 /// Follows the load path from `base` to `base + most * direction`, and returns its end.

@@ -19,8 +19,8 @@ use crate::files::Pictures;
 
 /// Number of force directions in the picture; every 60th direction is in the table.
 const MAP_DIRECTIONS: u32 = 1440;
-/// The force under which no contact slides, even if friction, stiffness and squeeze deviate from their given values, is computed in every fourth
-/// direction only. This saves time.
+/// The force under which no contact slides, even if friction, stiffness and clamping force deviate from their given values, is computed in every
+/// fourth direction only. This saves time.
 const RESERVE_EVERY: usize = 4;
 
 pub(crate) fn map(

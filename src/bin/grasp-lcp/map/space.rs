@@ -36,8 +36,8 @@ pub(crate) fn map(
     ask::check_base(&grasp, &ramp([0.0, 0.0, -1.0]))?;
     let quick = ask::quick(&grasp);
 
-    // A load path takes a thousand times as long as a first slip; the grid of load paths is therefore coarser. First slips of grasps with many
-    // contacts use this coarse grid, too.
+    // A load path takes a thousand times as long to compute as the force at first slip; the grid of load paths is therefore coarser. For grasps with
+    // many contacts this coarse grid also serves for first slip.
     let (rings, around) = if grasp.len() > MOST_NAMED_POINTS { PATH_GRID } else { (45, 120) };
     let grid = SphereGrid::new(rings, around);
     let directions = grid.directions();
@@ -202,8 +202,8 @@ impl Drawing<'_> {
     }
 }
 
-/// Largest number of contact points whose names are drawn. Names of more points would cover the map, and the load paths of a grasp with more points
-/// would take minutes.
+/// Largest number of contact points whose names are drawn. If more names were drawn, they would cover the map. The load paths of a grasp with more
+/// points take minutes.
 const MOST_NAMED_POINTS: usize = 8;
 
 fn print_table(

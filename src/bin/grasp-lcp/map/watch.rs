@@ -9,8 +9,8 @@ use grasp_lcp::Error;
 use grasp_lcp::sweep::map_watched;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
-/// Time limit of one sweep over the directions of a map; a sweep that takes longer is stopped and has no result. A sweep computes first slips, forces
-/// that allow for uncertain data, or load paths in the plane.
+/// Time limit of one sweep over the directions of a map; a sweep that takes longer is stopped and has no result. A sweep computes forces at first
+/// slip, forces that allow for uncertain data, or load paths in the plane.
 pub(crate) const MOST_SWEEP_TIME: Duration = Duration::from_secs(300);
 
 /// The display of progress: a bar on a terminal; otherwise, if `lines` is set, one line each second.
