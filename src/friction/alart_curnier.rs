@@ -64,8 +64,8 @@ pub(super) struct Anchored<'a, const C: usize> {
 
 impl<'a, const C: usize> Anchored<'a, C> {
     /// The equations of Alart and Curnier with the proximal term −δ (r − a), where a are the forces `anchor`. The line search reduces a weighted norm
-    /// of the residuals. If `by_contact` is false, each squared residual is divided by ρ, which makes it an energy. If true, it is divided by the
-    /// squared size of the contact's own force and velocity, so that every contact counts alike.
+    /// of the residuals. If `by_contact` is false, each squared residual is divided by ρ, which makes it an energy. If it is true, each squared
+    /// residual is divided by the squared magnitude of the contact's own force and velocity, so that every contact counts alike.
     pub(super) fn with_anchor(
         problem: &'a FrictionProblem<C>,
         blocks: &'a Blocks<C>,
@@ -79,8 +79,8 @@ impl<'a, const C: usize> Anchored<'a, C> {
             let size =
                 |i: usize| part::<C>(anchor, i).norm().max(rho[i] * part::<C>(&terms, i).amax()).powi(2);
             let largest = (0..rho.len()).map(|i| size(i) / rho[i]).fold(0.0, f64::max);
-            // Lower limit of the size of a contact's force and velocity, relative to the largest size of all contacts. Residuals are divided by this
-            // size. Without the limit, a contact with almost no force would dominate the norm of the residuals.
+            // Lower limit of the magnitude of a contact's force and velocity, relative to the largest magnitude of all contacts. Residuals are
+            // divided by this magnitude. Without the limit, a contact with almost no force would dominate the norm of the residuals.
             let faintest = 1e-6;
             let weight = |i: usize| 1.0 / size(i).max(faintest * faintest * largest * rho[i]);
             numbered(rho.len(), &weight)

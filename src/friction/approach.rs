@@ -2,9 +2,9 @@
 //! cones has given no solution.
 //!
 //! One run of the sequence is a start. [`Sweeps`](super::sweeps), which solve one contact after another, find the magnitude of the forces. The
-//! [`central_path`] finds the states of most contacts. Newton steps continue from the forces at the end of the path, and a proximal term holds them
-//! near given forces, the [anchor](super::alart_curnier). Newton steps without this term come last. The forces whose largest residual over all
-//! contacts is smallest are kept. If a start fails, the next start makes another number of sweeps. It also begins the central path nearer to the
+//! [`central_path`] finds the contact states of most contacts. Newton steps continue from the forces at the end of the path, and a proximal term
+//! holds them near given forces, the [anchor](super::alart_curnier). Newton steps without this term come last. The forces whose largest residual over
+//! all contacts is smallest are kept. If a start fails, the next start makes another number of sweeps. It also begins the central path nearer to the
 //! surfaces of the friction cones, or farther inside.
 
 use super::alart_curnier::Anchored;

@@ -46,15 +46,16 @@ impl<const C: usize> Blocks<C> {
         &self.others[i]
     }
 
-    /// The size of a contact's block row: the largest magnitude of an entry of its diagonal block. If that block is zero, the largest magnitude of an
-    /// entry of all other blocks of the row.
+    /// The magnitude of a contact's block row: the largest absolute value of an entry of its diagonal block. If that block is zero, the largest
+    /// absolute value of an entry of all other blocks of the row.
     pub(super) fn size(&self, i: usize) -> f64 {
         let own = self.own[i].amax();
         let any = || self.others[i].iter().fold(0.0_f64, |size, (_, w)| size.max(w.amax()));
         if own > 0.0 { own } else { any() }
     }
 
-    /// The factor ρ of each contact that converts velocities to forces: the inverse of [`Self::size`].
+    /// The factor ρ of each contact that converts velocities to forces: the inverse of the magnitude of its block row ([`Self::size`]), or 1 if that
+    /// is zero.
     pub(super) fn scales(&self) -> Vec<f64> {
         let scale = |i| if self.size(i) > 0.0 { 1.0 / self.size(i) } else { 1.0 };
         numbered(self.len(), &scale)

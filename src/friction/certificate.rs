@@ -88,10 +88,10 @@ impl<const C: usize> FrictionProblem<C> {
     }
 }
 
-/// In the plane: the exact sum Σ y_i (W_iN + μ W_iT) for one edge of a contact's cone. It is the weighted normal velocity of all contacts i per unit
-/// normal force on this edge; in a proof y it is at most zero. W_iN and W_iT are the entries of `columns`, the contact's normal and tangential
-/// columns of W, in the normal row of contact i, which is the row `step · i`. The products of y_i and μ are split into two doubles without error;
-/// `None` if one of them underflows or overflows.
+/// In the plane two rays bound a contact's friction cone. For one of these rays, the exact sum Σ y_i (W_iN + μ W_iT). It is the weighted normal
+/// velocity of all contacts i if the force of the contact lies on the ray, per unit of its normal force; in a proof y it is at most zero. W_iN and
+/// W_iT are the entries of `columns`, the contact's normal and tangential columns of W, in the normal row of contact i, which is the row `step · i`.
+/// The products of y_i and μ are split into two doubles without error; `None` if one of them underflows or overflows.
 fn edge(y: &DVector<f64>, columns: &[&[f64]], step: usize, mu: f64) -> Option<ExactSum> {
     let mut sum = ExactSum::new();
     for (i, y) in y.iter().enumerate() {

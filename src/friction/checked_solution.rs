@@ -12,8 +12,8 @@ use crate::prelude::*;
 use nalgebra::{DVector, SVector};
 
 impl<const C: usize> FrictionProblem<C> {
-    /// Removes rounding errors from the forces r: forces of open contacts become zero, and forces just outside a cone are moved onto its edge. `u`
-    /// has the velocities of the contacts; the factor ρ of each contact converts velocities to forces.
+    /// Removes rounding errors from the forces r: forces of open contacts become zero, and forces just outside a cone are moved onto its boundary.
+    /// `u` has the velocities of the contacts; the factor ρ of each contact converts velocities to forces.
     pub(super) fn snapped_to_cones(
         &self,
         mut r: DVector<f64>,
@@ -79,8 +79,8 @@ impl<const C: usize> FrictionProblem<C> {
         Some(Solution { r, u, states: found, residuals, pivots: 0, steps: 0 })
     }
 
-    /// Whether some contact's friction exceeds its limit, μ times its normal force, by more than rounding. The residual of the cone is relative to
-    /// the whole force. With a large μ this residual may be small although the excess is large relative to the normal force.
+    /// Whether some contact's friction exceeds its limit, μ times its normal force, by more than rounding. The residual of the cone does not show
+    /// this: it is relative to the whole force. If μ is large, it may be small although the excess is large relative to the normal force.
     fn leaves_cones(&self, r: &DVector<f64>) -> bool {
         (0..self.len()).any(|i| {
             let force: SVector<f64, C> = part(r, i);

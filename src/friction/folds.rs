@@ -41,8 +41,8 @@ pub(super) fn around_folds<const C: usize>(
         }
         let measure = path.measure(&x);
         let ahead = path.tangent(&x, &tangent, &measure)?;
-        // Shortest step along the path; the path ends where a step would have to be shorter. A step of length 1 changes the forces by about their own
-        // size, or ln τ by 1.
+        // Length of the shortest step along the path; if a shorter step is needed, the path ends. A step of length 1 changes the forces by about
+        // their own magnitude, or ln τ by 1.
         let shortest = 1e-7;
         while length >= shortest {
             let next = path.corrected(&x + &ahead * length, &ahead, &measure);
@@ -55,7 +55,7 @@ pub(super) fn around_folds<const C: usize>(
                 x = next;
                 if 2 * corrections <= MOST_FOLD_CORRECTIONS {
                     // Few corrections were needed, so the next step is longer. A step of length 1, the longest, changes the forces by about their own
-                    // size, or τ by a factor e.
+                    // magnitude, or τ by a factor e.
                     length = (1.5 * length).min(1.0);
                 }
                 break;
@@ -126,7 +126,7 @@ impl<const C: usize> Path<'_, C> {
     }
 
     /// Diagonal of the metric in which steps along the path are measured. A change of ln τ counts as it is; a change of the forces counts relative to
-    /// the size of the forces at x.
+    /// the magnitude of the forces at x.
     fn measure(&self, x: &DVector<f64>) -> DVector<f64> {
         let size = x.len() - 1;
         let energy = total(self.problem.len(), &|i| x.rows(C * i, C).norm_squared() / self.rho[i]);

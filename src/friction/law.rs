@@ -27,9 +27,9 @@ pub struct Residuals {
     pub approach: f64,
     /// The largest distance of a contact force r from its friction cone ‖r_T‖ ≤ μ r_N, relative to ‖r‖.
     pub cone: f64,
-    /// Let û = u + μ ‖u_T‖ n for the velocity u and the normal n of a contact with force r. Let ρ be ‖r‖ divided by the size of the terms of W r + q
-    /// that add up to u. The residual is the largest distance between r and the projection of r − ρ û onto the friction cone, relative to ‖r‖. It is
-    /// zero if Coulomb's law holds.
+    /// Let û = u + μ ‖u_T‖ n for the velocity u and the normal n of a contact with force r. Let ρ be ‖r‖ divided by the largest magnitude of the
+    /// terms of W r + q that add up to u. The residual is the largest distance between r and the projection of r − ρ û onto the friction cone,
+    /// relative to ‖r‖. It is zero if Coulomb's law holds.
     pub law: f64,
 }
 
@@ -38,7 +38,7 @@ const INFINITE_RESIDUALS: Residuals =
     Residuals { approach: f64::INFINITY, cone: f64::INFINITY, law: f64::INFINITY };
 
 impl Residuals {
-    /// Whether all three residuals are numbers of at most this size.
+    /// Whether all three residuals are at most `tolerance`.
     #[must_use]
     pub fn within(&self, tolerance: f64) -> bool {
         [self.approach, self.cone, self.law].iter().all(|r| *r <= tolerance)

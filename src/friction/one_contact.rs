@@ -10,7 +10,7 @@
 //!
 //! Slip opposes friction, u_T = −κ r_T with κ ≥ 0, so r_T(κ) = −(S + κ 1)⁻¹ c. The contact sticks if ‖r_T‖ ≤ μ r_N at κ = 0. Otherwise the force is
 //! outside the cone at κ = 0. As κ increases to infinity, r_T vanishes and r_N tends to −b_N / A_NN > 0, a force inside the cone. For some κ between,
-//! the force is on the edge of the cone.
+//! the force is on the boundary of the cone.
 
 use super::blocks::ContactBlock;
 use super::law::tangent;
@@ -55,7 +55,7 @@ pub(super) fn answer<const C: usize>(
     let mut left = |kappa: f64| slide.at(kappa).map_or(f64::INFINITY, |r| miss(&r));
     let bracket = [(least, left(least)), (most, left(most))];
     let mut r = slide.at(regula_falsi(bracket, 0.0, &mut left)?)?;
-    // The rounding error of κ leaves the force slightly off the edge of the cone. It is moved exactly onto the edge.
+    // The rounding error of κ leaves the force slightly off the boundary of the cone. It is moved exactly onto the boundary.
     let size = tangent(&r).norm();
     if size > 0.0 {
         for k in 1..C {

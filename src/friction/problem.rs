@@ -24,7 +24,7 @@ impl<const C: usize> FrictionProblem<C> {
     ///
     /// # Errors
     ///
-    /// [`Error::Numbers`] if sizes do not fit or an entry is not finite.
+    /// [`Error::Numbers`] if dimensions do not fit or an entry is not finite.
     /// [`Error::Friction`] for a negative or infinite μ.
     pub fn new(w: DMatrix<f64>, q: DVector<f64>, mu: Vec<f64>) -> Result<Self, Error> {
         LcpError::check_vector("q", &q, C * mu.len())?;

@@ -5,8 +5,8 @@
 
 use crate::lcp::{self, BreakdownCause};
 
-/// Upper limit of the number of facets of a polygonal cone. More facets would change forces by less than a thousandth, and give complementarity
-/// problems of thousands of rows.
+/// Upper limit of the number of facets of a polygonal cone. More facets change forces by less than a thousandth, and give complementarity problems of
+/// thousands of rows.
 pub(super) const MOST_CONE_FACETS: usize = 128;
 
 /// Limits and tolerances of a solve. [`Settings::default`] suits almost every problem.
@@ -54,10 +54,10 @@ impl Settings {
     }
 
     setters! {
-        /// These settings with another number of facets, see [`Settings::facets`].
+        /// These settings with another number of facets of each polygonal cone ([`Settings::facets`]).
         pub fn with_facets(mut self, facets: usize) { self.facets = facets; }
 
-        /// These settings with another tolerance, see [`Settings::tolerance`].
+        /// These settings with another limit of the residuals of a solution ([`Settings::tolerance`]).
         pub fn with_tolerance(mut self, tolerance: f64) { self.tolerance = tolerance; }
     }
 }

@@ -37,9 +37,9 @@ impl<const C: usize> FrictionProblem<C> {
         self.solve_watched(settings, &mut |_| ControlFlow::Continue(()))
     }
 
-    /// [`Self::solve_with`] with progress reports, for hundreds of contacts that take seconds. `watch` may stop the solve, for lack of time or
-    /// because the forces are good enough. The outcome is then a breakdown, [`Stopped`](BreakdownCause::Stopped), and the best forces are the forces
-    /// last reported to `watch`.
+    /// Finds forces and velocities that satisfy Coulomb's law, with progress reports, for hundreds of contacts that take seconds. `watch` may stop
+    /// the solve, for lack of time or because the forces are good enough. The outcome is then a breakdown, [`Stopped`](BreakdownCause::Stopped), and
+    /// the best forces are the forces last reported to `watch`.
     ///
     /// ```
     /// use grasp_lcp::friction::{SolveProgress, Settings, SpatialContacts};
@@ -133,7 +133,7 @@ impl<const C: usize> FrictionProblem<C> {
             }
         }
         // All other methods have failed. If the problem with polygons in place of the cones has not been tried yet, it is tried now. With more than
-        // 600 rows this would take many seconds.
+        // 600 rows polygons take many seconds, and are not tried.
         if polygon.is_none() && rows <= 600 {
             let last = polygons.solve(0);
             if self.is_known(&last) {

@@ -11,8 +11,8 @@
 pub(super) const ROUND_CONVERGED: f64 = 1e-14;
 
 /// If the residual of forces is below this number, final Newton steps without a proximal term (the polish) follow. Newton steps with a proximal term
-/// then divide the residual of each contact by the size of its own force and velocity, so that contacts with small forces count as much as others.
-/// Above this number residuals are weighed as energies.
+/// then divide the residual of each contact by the magnitude of its own force and velocity, so that contacts with small forces count as much as
+/// others. Above this number residuals are weighed as energies.
 ///
 /// If smaller, more rounds with a proximal term are made than necessary; if larger, the final Newton steps start where they do not converge.
 pub(super) const WORTH_POLISHING: f64 = 1e-6;
@@ -25,7 +25,7 @@ pub(super) const WORTH_POLISHING: f64 = 1e-6;
 pub(super) const LEAST_ANCHOR: f64 = 1e-12;
 
 /// Along the central path a multiple of the identity is added to each contact's diagonal block of the matrix W. This number is the ratio of that
-/// multiple to the size of the block. The addition makes the equations of redundant contacts regular.
+/// multiple to 1/ρ, where the factor ρ of the contact converts velocities to forces. The addition makes the equations of redundant contacts regular.
 ///
 /// If smaller, equations are singular inside the cones; if larger, the forces at the end of the path solve a visibly different problem.
 pub(super) const SHIFTED_BLOCK: f64 = 1e-9;
@@ -50,7 +50,7 @@ pub(super) const OUTSIDE_CONE: f64 = 1e-13;
 /// Bound of the relative rounding error of a number on which a proof rests. The number comes from sums that are exact until they are rounded once,
 /// and from a few further operations.
 ///
-/// If smaller, a proof could be wrong; if larger, proofs with contacts at the edge of their cones are refused.
+/// If smaller, a proof could be wrong; if larger, valid proofs are refused whose inequality holds at some contact with hardly any margin.
 pub(super) const PROOF_ROUNDING: f64 = 8.0 * 1e-15;
 
 /// Up to this number of rows, the complementarity problem with polygons in place of the cones is solved first, by Lemke's method; above it, the
