@@ -1,8 +1,8 @@
-//! Refilling of lists in their own memory.
+//! Emptying of lists before they are filled again.
 
 use crate::prelude::*;
 
-/// Empties a list and reserves capacity for this number of entries at once, since growing a list while it is filled takes longer.
+/// Empties a list and makes room for this number of entries at once: growing a list while it is filled takes longer.
 #[inline]
 pub(crate) fn cleared_for<T>(list: &mut Vec<T>, entries: usize) {
     if list.capacity() < entries {

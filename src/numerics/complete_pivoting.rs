@@ -28,7 +28,7 @@ impl CompletePivoting {
             for j in k..cols {
                 for (i, entry) in a.column_slice(j)[..rows].iter().enumerate().skip(k) {
                     let size = entry.abs();
-                    // Among entries of equal size the pivot is the one in the first row, and there in the first column. The loops run column by
+                    // Among entries of equal magnitude the pivot is the one in the first row, and there in the first column. The loops run column by
                     // column.
                     if size > most || size == most && (i, j) < (pi, pj) {
                         (pi, pj, most) = (i, j, size);

@@ -1,17 +1,17 @@
-//! Memory that is reused from one solve to the next.
+//! Scratch buffers that one solve leaves for the next.
 
 use core::any::Any;
 use core::fmt::{Debug, Formatter};
 
 use crate::prelude::*;
 
-/// Memory that the solver of a grasp keeps for its next computation. If the next computation needs memory of another type, the stored one is dropped.
-/// A clone starts empty.
+/// Scratch buffers that the solver of a grasp keeps for its next computation. If the next computation needs buffers of another type, the stored ones
+/// are dropped. A clone starts without buffers.
 #[derive(Default)]
 pub(crate) struct Memory(Option<Box<dyn Any + Send + Sync>>);
 
 impl Memory {
-    /// The stored memory if it has this type, otherwise new memory from `new`.
+    /// The stored buffers if they have this type, otherwise new buffers from `new`.
     pub(crate) fn of<T: Any + Send + Sync>(&mut self, new: impl FnOnce() -> T) -> &mut T {
         let kept = self.0.take().and_then(|kept| kept.downcast::<T>().ok());
         let kept = self.0.insert(kept.unwrap_or_else(|| Box::new(new())));

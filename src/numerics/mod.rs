@@ -3,7 +3,7 @@
 //! | file | idea |
 //! |---|---|
 //! | `coordinates` | vectors and matrices over the coordinates of a grasp |
-//! | `orthogonal` | rank-revealing orthogonal factors of a tall matrix whose rows differ in size by orders of magnitude |
+//! | `orthogonal` | rank-revealing orthogonal factors of a tall matrix whose rows differ in magnitude by many decades |
 //! | `gram_schmidt` | the Gram–Schmidt orthogonalisation for `orthogonal`, column by column |
 //! | `orthonormal_set` | the component of a vector orthogonal to an orthonormal set |
 //! | `complete_pivoting` | LU with rank, kernels and the part of a right-hand side outside the range |
@@ -39,8 +39,8 @@
 //! | `pseudo_random` | reproducible pseudorandom numbers |
 //! | `square_root` | the square root of std under another name |
 //! | `mapped` | lists, sums and extremes over lists or index ranges |
-//! | `cleared_for` | refilling of lists in their own memory |
-//! | `memory` | memory that is reused from question to question |
+//! | `cleared_for` | emptying of lists before they are filled again |
+//! | `memory` | scratch buffers that one question leaves for the next |
 //! | `without_std` | replacements for std where it is missing |
 
 mod band;

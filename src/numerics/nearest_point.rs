@@ -149,7 +149,8 @@ impl<Tag: Copy + PartialEq> NearestPoint<Tag> {
         for (q, h) in self.q.chunks_exact(self.size).zip(&self.components) {
             subtract(&mut self.residual, *h, q);
         }
-        // The projection on the columns of Q is subtracted a second time. Even a small residual is then orthogonal to them, relative to its own size.
+        // The projection on the columns of Q is subtracted a second time. Even a small residual is then orthogonal to them, relative to its own
+        // length.
         for q in self.q.chunks_exact(self.size) {
             let h = dot(q, &self.residual);
             subtract(&mut self.residual, h, q);

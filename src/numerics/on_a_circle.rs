@@ -22,7 +22,7 @@ impl<const C: usize> Turning<C> {
         self.number.at(angle) - self.vector.at(angle).norm()
     }
 
-    /// The sum of the absolute values of all coefficients of N and v, the scale of rounding errors.
+    /// The sum of the absolute values of all coefficients of N and v: the rounding scale of N - |v|.
     fn size(&self) -> f64 {
         let [numbers, vectors] = [self.number.map(|x| x.abs()), self.vector.map(SVector::norm)];
         numbers.parts().into_iter().chain(vectors.parts()).sum()

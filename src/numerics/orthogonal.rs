@@ -1,8 +1,8 @@
-//! Rank-revealing orthogonal factors of a tall matrix whose rows differ in size by orders of magnitude.
+//! Rank-revealing orthogonal factors of a tall matrix whose rows differ in magnitude by many decades.
 //!
-//! The matrix is K^{1/2}Gᵀ, with the stiffness K and the grasp map G, or a similar matrix. With stiffness ratios of 1e14 the sizes of rows differ by
-//! the factor 1e7. The normal equations with the matrix G K Gᵀ would lose 14 digits. Gram–Schmidt with column pivoting, each column orthogonalised
-//! twice, keeps the columns of Q orthonormal to working precision for any such rows.
+//! The matrix is K^{1/2}Gᵀ, with the stiffness K and the grasp map G, or a similar matrix. With stiffness ratios of 1e14 the magnitudes of rows
+//! differ by the factor 1e7. If the normal equations with the matrix G K Gᵀ were solved instead, 14 digits would be lost. Gram–Schmidt with column
+//! pivoting, each column orthogonalised twice, keeps the columns of Q orthonormal to working precision for any such rows.
 
 use super::coordinates::{Indices, Size, Square, Vector};
 use core::ops::Range;
@@ -48,7 +48,7 @@ impl Orthogonal {
         Self { q: Vec::new(), r, over_diagonal, order: size.in_order(), rank: 0 }
     }
 
-    /// Factorises another matrix, given by its rows, in the memory of these factors.
+    /// Factorises another matrix, given by its rows. The buffers of the old factors are used again.
     pub(crate) fn assign(&mut self, size: Size, rows: &[Vector]) {
         if self.size() != size {
             *self = Self { q: core::mem::take(&mut self.q), ..Self::of(size) };
@@ -103,7 +103,7 @@ impl Orthogonal {
     pub(crate) fn project(&self, x: &mut [f64], w: &Vector) -> Vector {
         let load = self.load_coordinates(w);
         let mut moved = Vector::zeros();
-        // The projection is repeated to remove its own rounding error. Rows whose sizes differ by many decades need more than one repetition.
+        // The projection is repeated to remove its own rounding error. Rows whose magnitudes differ by many decades need more than one repetition.
         for _ in 0..4 {
             let step = self.coordinates(x) + &load;
             if step.norm() <= FEW_ROUNDINGS * summed(x, &|x| x * x).sqrt() {
@@ -171,7 +171,8 @@ impl Orthogonal {
         basis
     }
 
-    /// [`Self::null_space`] in the memory of `basis`, which reserves capacity for the largest possible null space.
+    /// Writes an orthonormal basis of the null space {v : A v = 0} of the factored matrix A to `basis`, which gets room for the largest possible null
+    /// space.
     pub(crate) fn null_space_into(&self, basis: &mut Vec<Vector>) {
         basis.clear();
         basis.reserve(self.size().count());
@@ -229,7 +230,7 @@ mod tests {
 
     #[test]
     fn a_dependent_column_gives_its_null_vector() {
-        // The third column equals the first minus twice the second; the sizes of rows differ by 14 decades.
+        // The third column equals the first minus twice the second; the magnitudes of rows differ by 14 decades.
         let rows = [[1e7, 0.0], [1.0, 1.0], [1e-7, 3e-7], [0.5, 1e7]]
             .map(|[a, b]| Vector::from(SVector::from([a, b, a - 2.0 * b])));
         let factor = Orthogonal::new(Size::of(3), &rows);

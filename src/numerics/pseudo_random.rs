@@ -25,7 +25,7 @@ fn mixed(mut z: u64) -> u64 {
 pub(crate) struct Draw(u64);
 
 impl Draw {
-    /// The generator with this seed. Its state depends in all bits on every word of the seed, so that neighbouring seeds give unrelated numbers.
+    /// The generator with this seed. Its 64 bits depend on every word of the seed, so that neighbouring seeds give unrelated numbers.
     pub(crate) fn new(seed: [u64; 3]) -> Self {
         let mut draw = Self(0);
         for word in seed {

@@ -1,8 +1,9 @@
 //! The point where a ray leaves a convex set, by a simplex method on support points of the set.
 //!
-//! Let points p_k of the set span a cone that contains the ray r, `r = Σ β_k p_k`. Their plane is `v·x = 1`, and r crosses it at `r / s` with
-//! `s = Σ β_k`. If no point of the set lies beyond that plane, the ray leaves the set at this crossing. Otherwise the point farthest beyond the plane
-//! replaces one of the p_k, and s decreases.
+//! The ray starts at an interior point of the set, the middle of a simplex of support points, and leads to a target. In the formulas vectors start at
+//! this middle, too. Let points p_k of the set span a cone that contains the vector r from the middle to the target, `r = Σ β_k p_k`. The plane
+//! through these points is `v·x = 1`, and the ray crosses it at `r / s` with `s = Σ β_k`. If no point of the set lies beyond that plane, the ray
+//! leaves the set at this crossing. Otherwise the point farthest beyond the plane replaces one of the p_k, and s decreases.
 
 use super::coordinates::{Size, Square, Vector};
 use super::partial_pivoting::PartialPivoting;
@@ -22,8 +23,8 @@ pub(crate) struct RayExit {
     pub(crate) normal: Vector,
     /// The upper bound in `v·(x - middle) <= upper_bound`. It is at least one, and equals one up to rounding if the pivots have converged.
     pub(crate) upper_bound: f64,
-    /// The sum s of `coefficients`: the distance of the target from the middle, divided by the distance at which the ray crosses the plane of
-    /// `vertices`.
+    /// The sum s of `coefficients`: the distance of the target from the middle of the simplex, divided by the distance of the middle from the point
+    /// where the ray crosses the plane of `vertices`.
     pub(crate) stretch: f64,
 }
 

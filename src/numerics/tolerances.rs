@@ -60,14 +60,15 @@ pub(super) const BAND_PIVOT: f64 = 1e-11;
 /// If smaller, a semidefinite matrix gets factors that consist of rounding. If larger, matrices of condition 1e12 get no factors.
 pub(super) const POSITIVE_PIVOT: f64 = 1e-12;
 
-/// A convex set counts as flat if it is thinner than this fraction of its size in some direction.
+/// A convex set counts as flat if, in some direction, it is thinner than this fraction of its largest extent.
 ///
 /// If smaller, a flat set gets a volume that consists of rounding. If larger, thin sets count as flat, and wrenches inside such a set count as
 /// outside.
 pub(super) const FLAT_SET: f64 = 1e-10;
 
 /// The search for the largest ball about the origin in a convex set lets a polytope grow within the set. The distance of the polytope's closest face
-/// from the origin should not decrease. A decrease up to this fraction of the size of the set is accepted as rounding; a larger one ends the search.
+/// from the origin should not decrease. A decrease up to this fraction of the extent of the set is accepted as rounding; a larger one ends the
+/// search.
 ///
 /// If smaller, sets of many points end with a loose bound. If larger, a polytope with a wrong face continues to grow.
 pub(super) const POLYTOPE_SHRINKS: f64 = 1e-7;

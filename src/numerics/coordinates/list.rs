@@ -51,7 +51,8 @@ impl List {
         }
     }
 
-    /// The list as a mutable array of N numbers; `None` as for [`Self::fixed`]. Numbers beyond the end of the list must stay zero.
+    /// The list as a mutable array of N numbers. `None` for a list of more than N numbers or on the heap, or if N exceeds [`IN_PLACE`]. Numbers
+    /// beyond the end of the list must stay zero.
     #[inline]
     pub(super) fn fixed_mut<const N: usize>(&mut self) -> Option<&mut [f64; N]> {
         match self {

@@ -46,7 +46,7 @@ impl Map {
         (0..self.entries.row_count(self.size)).map(|position| self.entries.row(position))
     }
 
-    /// Keeps only the rows of these ranges in memory; all other rows must be zero.
+    /// Stores only the rows of these ranges; all other rows must be zero.
     pub(crate) fn keep_rows(&mut self, ranges: &[Range<usize>; 2]) {
         self.entries.keep_rows(ranges);
     }
