@@ -1,12 +1,12 @@
 //! Choosing between round cone and polygon, and the number of facets.
 //!
-//! In the plane a friction cone has two edges and needs no approximation: this page is for space.
+//! In the plane two rays bound a friction cone, which needs no approximation: this page is for space.
 //!
 //! # Usually none
 //!
-//! Equilibria, onsets of sliding and load paths in space use the **round** cone. Newton's method finds them from the elastic trial state, in which
-//! everything sticks. If it does not converge, Lemke's method proposes contact states on a polygon of 8 facets. At each contact the polygon is turned
-//! so that a corner lies along the friction force of the elastic trial state. Newton's method continues from this proposal to the round cone. The
+//! Equilibria, onsets (load factors at first slip) and load paths in space use the **round** cone. Newton's method finds them from the elastic trial,
+//! in which everything sticks. If it does not converge, Lemke's method proposes contact states on a polygon of 8 facets. At each contact the polygon
+//! is turned so that a corner lies along the friction force of the elastic trial. Newton's method continues from this proposal to the round cone. The
 //! answer names the cone ([`Cone::Round`](crate::equilibrium::Cone::Round)) and the change of contact forces from the polygon to the round cone
 //! ([`change_from_polygon`](crate::equilibrium::Equilibrium::change_from_polygon)). More facets make the proposal more expensive, and the answer no
 //! better. The load at first slip needs no facets at all: it follows from one quadratic equation per contact.
@@ -19,7 +19,7 @@
 //! A regular polygon of m facets inside a circle of radius `μ F_n` has its facets at the distance `μ F_n cos(π/m)` from the centre. A polygon around
 //! the circle has its corners at the distance `μ F_n / cos(π/m)`:
 //!
-//! | m | largest loss of friction | error of an onset | error of a sliding state |
+//! | m | largest loss of friction | error of an onset | error of an equilibrium with sliding |
 //! |---|---|---|---|
 //! | 4 | 29 % | | |
 //! | 8 | 7.6 % | falls like 1/m² | falls like 1/m: the direction of slip jumps from facet to facet |

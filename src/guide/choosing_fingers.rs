@@ -1,9 +1,9 @@
-//! Choosing fingers: places and clamping forces for which the first slip comes as late as possible, or most friction is left.
+//! Choosing fingers: places and clamping forces for which first slip comes as late as possible, or most friction is left.
 //!
 //! The scenes are in `examples/scenes/improve`, and the commands are run there. A contact that may move has a `surface`, on which it lies and which
 //! determines the normal. `at_most` (or `--at-most`) is the largest force in newtons that fingers may press with; without it fingers keep their
-//! commands. The loads of a question grow from zero, one at a time. A question may also have a force of given size in any direction, which grows from
-//! zero, too.
+//! commands. The loads of a question grow from zero, one at a time. A question may also have a force of given magnitude in any direction, which grows
+//! from zero, too.
 //!
 //! # Two jaws hold a box whose weight hangs aside. Where should they be?
 //!
@@ -38,9 +38,9 @@
 //!
 //! # The load is known. Where is most friction left?
 //!
-//! A late first slip is the goal for a load that may become larger than expected. If the load is known but disturbances are not, `--reserve`
+//! Late first slip is the goal for a load that may become larger than expected. If the load is known but disturbances are not, `--reserve`
 //! (`"goal": "reserve"` in scenes) maximises the least [margin](crate::equilibrium::ContactAnswer::margin) of all contacts under the full load. The
-//! margin is the distance of a contact force from the edge of its friction cone, N.
+//! margin is the additional friction force, N, that a contact could take before it slides.
 //!
 //! ```text
 //! $ grasp-lcp improve pinch.json --force 0,-4 --at 0.01,0 --at-most 10 --reserve
@@ -53,11 +53,12 @@
 //!
 //! # Guarantees of the answer
 //!
-//! "Nothing nearby is better to first order" is proved by multipliers. The sum of the gradients of the first slips and of the active bounds, weighted
-//! with these multipliers, is zero up to a millionth. [`Improved::residual`](crate::improve::Improved::residual) is what remains of this sum. No
-//! small move of the fingers therefore gains in proportion to its length. Distant places may still be better. The search therefore starts from
-//! several places (`starts`) on the surfaces and returns the best answer. Each first slip and each active bound has a multiplier
-//! ([`ActiveConstraint`](crate::improve::ActiveConstraint)). The multiplier of a bound is the gain in first slip or margin for one more newton of
+//! "Nothing nearby is better to first order" is proved by multipliers. The load factor at which a contact slides has a gradient, and so has each
+//! bound on places and forces. The sum of the gradients of the contacts that slide first and of the active bounds, weighted with these multipliers,
+//! is zero up to a millionth. [`Improved::residual`](crate::improve::Improved::residual) is what remains of this sum. No small move of the fingers
+//! therefore gains in proportion to its length. Distant places may still be better. The search therefore starts from several places (`starts`) on the
+//! surfaces and returns the best answer. Each contact that slides first and each active bound has a multiplier
+//! ([`ActiveConstraint`](crate::improve::ActiveConstraint)). The multiplier of a bound is the gain in load factor or margin for one more newton of
 //! force, or one more metre of edge.
 //!
 //! In space two point contacts balance no moment about the line that joins them. They hold a load only if it has no such moment, which a move of one

@@ -1,9 +1,8 @@
 //! Monitoring of measured contact forces in a control loop, with an operating system and without one.
 //!
-//! [`Fingers::watch`](crate::screening::Fingers::watch) takes contact forces that were measured just now, and the load to come. It returns the
-//! margin, i.e. the distance of the forces from the edges of their friction cones, N. It also returns the load at which the first contact slides, and
-//! the extra squeeze (clamping force) that prevents this slip. It allocates nothing, and the number of its operations is bounded for a given number
-//! of contacts.
+//! [`Fingers::watch`](crate::screening::Fingers::watch) takes contact forces that were measured just now, and the load to come. It returns the least
+//! margin of the contacts, i.e. the additional friction force, N, that a contact could take before it slides. It also returns the load at first slip,
+//! and the extra clamping force that prevents it. It allocates nothing, and the number of its operations is bounded for a given number of contacts.
 //!
 //! # One tick
 //!

@@ -41,8 +41,9 @@
 //!
 //! [`Hand::grasp`](crate::grasp::Hand::grasp) makes a [`Grasp`](crate::ask::Grasp), with any number of joints. Questions are the same as for any
 //! other grasp. Loads act on the object; [torques on joints](crate::ask::Grasp::with_joint_torques) from outside are zero unless given. Answers
-//! contain [joints](crate::equilibrium::Equilibrium::joints) and [tendons](crate::equilibrium::Equilibrium::tendons) in addition to contacts; events
-//! and onsets (first slips) contain the [drives](crate::load_path::Event::drives), springs of joints and tendons, that reach their limit or go slack.
+//! contain [joints](crate::equilibrium::Equilibrium::joints) and [tendons](crate::equilibrium::Equilibrium::tendons) in addition to contacts; events,
+//! first slip among them, contain the [drives](crate::load_path::Event::drives) (springs of joints and tendons) that reach their force limit or go
+//! slack.
 //!
 //! # Guarantees of theory, and their limits
 //!

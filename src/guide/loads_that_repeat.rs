@@ -49,7 +49,7 @@
 //!
 //! # Does a parcel survive being shaken with 2 g?
 //!
-//! The command needs only the mass and the size of the acceleration, which acts back and forth along every axis in turn.
+//! The command needs only the mass and the magnitude of the acceleration, which acts to and fro along every axis in turn.
 //!
 //! ```text
 //! $ grasp-lcp shake ../box.json --mass 0.2 --acceleration 19.6

@@ -54,9 +54,9 @@
 //!
 //! * everything sticks;
 //! * everything that touches sticks;
-//! * in space, with fewer than 32 contacts, the state to which viscous slip leads from the state in which everything sticks, if it leads to an
-//!   equilibrium;
-//! * in space and from 32 contacts on, the state that Newton's method reaches from the state in which everything sticks;
+//! * in space, with fewer than 32 contacts, the point to which viscous slip leads from the equilibrium in which everything sticks, if that point is
+//!   an equilibrium;
+//! * in space and from 32 contacts on, the point that Newton's method reaches from the solution in which everything sticks;
 //! * the end of a path of Lemke's method;
 //! * the first combination of contact states, in a fixed order, that has an equilibrium.
 //!

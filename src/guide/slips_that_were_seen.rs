@@ -6,8 +6,8 @@
 //! # A block is pushed about on three points. What is its friction, and what does each point carry?
 //!
 //! The table has a line `fx,fy,mz` for each of 50 pushes under which the block slid, measured by Zhou, Paolini, Bagnell and Mason (ICRA 2016). A
-//! scale gives the total load of the three points, 14.876 N to 0.1 %. The option `--known 1+2+3=14.876,0.1` states this sum of the unknowns 1, 2 and
-//! 3, counted from 0.
+//! scale gives the total load of the three points, 14.876 N to 0.1 %. The option `--known 1+2+3=14.876,0.1` states this sum of the parameters 1, 2
+//! and 3, counted from 0 in the order of the options `--unknown`.
 //!
 //! ```text
 //! $ grasp-lcp identify block.json block.csv --unknown friction --unknown carried=a --unknown carried=b --unknown carried=c --known 1+2+3=14.876,0.1
@@ -21,10 +21,10 @@
 //! friction not fixed, load of a not fixed, load of b not fixed, load of c not fixed from 50 slips, which scatter by 7.2 %. Friction may be greater by any factor where load of a, load of b and load of c are smaller by it
 //! ```
 //!
-//! # Slips that share errors
+//! # Observations that share errors
 //!
 //! Fifty pushes are not fifty independent measurements if all pushes in one direction slid over the same patch of the surface. A column `group` marks
-//! slips that may share an error: a direction, a specimen, a day. The same pushes, with pushes whose directions lie within 30° as one group:
+//! observations that may share an error: a direction, a specimen, a day. The same pushes, with pushes whose directions lie within 30° as one group:
 //!
 //! ```text
 //! $ grasp-lcp identify block.json block_by_direction.csv --unknown friction --unknown carried=a --unknown carried=b --unknown carried=c --known 1+2+3=14.876,0.1
@@ -32,33 +32,33 @@
 //! ```
 //!
 //! The estimates are the same; their uncertainty now follows from the scatter between the groups. Few groups determine the uncertainty poorly.
-//! Intervals are those of Student's distribution with the remaining degrees of freedom. Without the column each slip is its own group.
+//! Intervals are those of Student's distribution with the remaining degrees of freedom. Without the column each observation is its own group.
 //!
 //! # What can be estimated
 //!
-//! | unknown | meaning | prerequisite |
+//! | option `--unknown` | parameter that is estimated | prerequisite |
 //! |---|---|---|
 //! | `friction` | a coefficient, of all contacts or of some | the normal forces: from clamping forces, or from a weight |
 //! | `carried` | normal force of a support before the object is pushed, N | friction, or the sum of the loads from a scale |
 //! | `squeeze` | factor of the given clamping forces | friction |
-//! | `stiffness` | factor of the given tangential stiffness | friction; only first slips determine it |
+//! | `stiffness` | factor of the given tangential stiffness | friction; only observations of first slip determine it |
 //!
 //! Gross slip, in which the whole object slides, is easy to observe, and usually depends on friction and normal forces alone. First slip, of a single
-//! contact, also depends on stiffness. A column `slip` of the table, or `--first`, says which of the two was observed. Several unknowns need loads
-//! with several directions or moments: slips that always occur in the same way determine one number.
+//! contact, also depends on stiffness. A column `slip` of the table, or `--first`, says which of the two was observed. Several parameters need loads
+//! with several directions or moments: slip that always occurs in the same way determines one number.
 //!
-//! Of two jaws the one with less friction slips. Such slips determine its coefficient, but not which jaw it is: *one of the two is 0.423 ± 0.004, which one is not fixed*. The
-//! answer then has the estimates of each assignment. Slips under loads nearer to one jaw decide between the assignments.
+//! Of two jaws the one with less friction slips. Such observations determine its coefficient, but not which jaw it is: *one of the two is 0.423 ± 0.004, which one is not fixed*. The
+//! answer then has the estimates of each assignment. Observations under loads nearer to one jaw decide between the assignments.
 //!
 //! # Contents of the answer
 //!
 //! * `±` is the standard error, followed by the interval that contains the true value in 95 of 100 cases. If the scatter of the loads is not given it
 //!   is estimated, and the interval is that of Student's distribution.
-//! * An unknown that the slips do not determine has no number. The answer names the product, sum or ratio that they do determine.
-//! * A slip that is off by more than two standard deviations has a smaller weight, so that a single wrong entry does little harm; the answer counts
-//!   such slips.
-//! * With a given scatter, slips that are much farther off show that the model is wrong. Friction may vary, or a load may have acted at another place
-//!   than stated.
+//! * A parameter that the observations do not determine has no number. The answer names the product, sum or ratio that they do determine.
+//! * An observation that is off by more than two standard deviations has a smaller weight, so that a single wrong entry does little harm; the answer
+//!   counts such observations.
+//! * With a given scatter, observations that are much farther off show that the model is wrong. Friction may vary, or a load may have acted at
+//!   another place than stated.
 //!
 //! # Use in other questions
 //!
@@ -85,5 +85,5 @@
 //! # Ok::<(), grasp_lcp::Error>(())
 //! ```
 //!
-//! In Python: `grasp.identify(["friction"], loads)`, with a row for each slip (and `group=`, a name for each); `found.estimates[0].value`,
+//! In Python: `grasp.identify(["friction"], loads)`, with a row for each observation (and `group=`, a name for each); `found.estimates[0].value`,
 //! `.standard_error` and `.interval`.

@@ -11,7 +11,7 @@
 //! | `Undecided` | neither an equilibrium nor a proof was found, for the [reason](crate::equilibrium::Doubt) in the answer | neither "holds" nor "fails": raise [`most_states`](crate::Settings::most_states), or treat it as a failure |
 //!
 //! `Undecided` has three causes. Many contacts are at the limit of friction. The load lies, up to rounding, on the boundary of the loads that the
-//! grasp can hold. The numbers of a scene differ so much in size that forces cannot be represented.
+//! grasp can hold. The numbers of a scene differ so much in magnitude that forces cannot be represented.
 //!
 //! # The quality of an equilibrium
 //!
@@ -22,12 +22,12 @@
 //!   states of the answer. In comparisons with exact arithmetic the true distance is at most ten times the estimate. Its field `condition` is the
 //!   condition number: the relative error of the forces divided by the relative error of the numbers of the question. If a measured number is known
 //!   to 1 % and the condition number is 50, no digit of a force is reliable, however small the residual.
-//! * [`distinct`](crate::ask::Grasp::distinct): whether rounding errors are too small to change the state of a contact. Exactly at the onset of
-//!   sliding, a sticking and a sliding contact have the same forces. The state then depends on rounding, and `distinct` says so.
-//! * [`margin`](crate::equilibrium::ContactAnswer::margin): the distance of a contact force from the edge of its friction cone, `μ F_n - |F_t|`, N.
-//!   If friction is known to 10 %, a contact with a margin below 10 % of `μ F_n` may slide.
-//!   [`Grasp::onset_of_samples`](crate::ask::Grasp::onset_of_samples) computes the load at first slip for samples of friction, stiffness and squeeze
-//!   (clamping force).
+//! * [`distinct`](crate::ask::Grasp::distinct): whether rounding errors are too small to change the state of a contact. Exactly at first slip, a
+//!   sticking and a sliding contact have the same forces. The state then depends on rounding, and `distinct` says so.
+//! * [`margin`](crate::equilibrium::ContactAnswer::margin): the additional friction force that a contact could take before it slides,
+//!   `μ F_n - |F_t|`, N. If friction is known to 10 %, a contact with a margin below 10 % of `μ F_n` may slide.
+//!   [`Grasp::onset_of_samples`](crate::ask::Grasp::onset_of_samples) computes the load at first slip for samples of friction, stiffness and clamping
+//!   force.
 //! * [`free_motions`](crate::equilibrium::Equilibrium::free_motions): motions of the object that nothing resists. The forces are determined; the
 //!   twist is one of many possible twists.
 //! * [`rule`](crate::equilibrium::Equilibrium::rule): the rule by which the equilibrium was found. With any other rule than
@@ -39,11 +39,11 @@
 //! | question | method | why no other method |
 //! |---|---|---|
 //! | Does it hold this load without sliding? | [`Grasp::onset`](crate::ask::Grasp::onset): the load factor at first slip is above 1 | `solve` also finds equilibria with sliding |
-//! | Does it hold at all? | [`Grasp::solve`](crate::ask::Grasp::solve), or [`follow`](crate::ask::Grasp::follow) to the limit load | after the first slip other contacts often take over the load, and the grasp still holds |
+//! | Does it hold at all? | [`Grasp::solve`](crate::ask::Grasp::solve), or [`follow`](crate::ask::Grasp::follow) to the limit load | after first slip other contacts often take over the load, and the grasp still holds |
 //! | Where does the object come to rest after loading and unloading? | [`Grasp::follow`](crate::ask::Grasp::follow) | `solve` knows no history: all slip starts from zero |
 //! | Which of a million grasps? | [`screening`](crate::screening) | the same load or angle at first slip, or the same least squeeze, without the rest of the answer |
 //! | How do the onsets of a million grasps change with all their data? | [`onset_gradients_of_batch`](crate::sweep::onset_gradients_of_batch) | exact derivatives of the onset, and whether they hold on one side only |
-//! | Which margin do the measured forces have, in a control loop? | [`Fingers::watch`](crate::screening::Fingers::watch) | distance to the friction limit (N), load at first slip and the additional squeeze that is needed, without a memory allocation |
+//! | Which margin do the measured forces have, in a control loop? | [`Fingers::watch`](crate::screening::Fingers::watch) | distance to the friction limit (N), load at first slip and the additional clamping force that is needed, without allocation |
 //! | Can the quadratic program of minimum energy be used? | [`Energy::agreement`](crate::ask::Energy::agreement) | beyond the load factor of this answer, the quadratic program returns forces that do not balance the load |
 //!
 //! ```
