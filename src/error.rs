@@ -1,5 +1,6 @@
 //! Errors for malformed input. That no equilibrium exists is not an error but an answer, [`crate::equilibrium::Outcome`]. A leg is a section of a
-//! load program, a ramp a load that grows in proportion; an unknown is a number of the grasp that `identify` estimates.
+//! load program. On a ramp the load, or commands, change in proportion to the load factor. A parameter is a number of the grasp that `identify`
+//! estimates; its input calls it an unknown.
 
 use core::fmt;
 
@@ -29,7 +30,7 @@ fn load_text(components: &[f64]) -> String {
     Words::default().load_of(if components.len() == 3 { 2 } else { 3 }, components)
 }
 
-/// Whether a number is finite and at most [`LARGEST`] in size.
+/// Whether a number is finite and at most [`LARGEST`] in magnitude.
 pub(crate) fn is_moderate(x: f64) -> bool {
     x.abs() <= LARGEST
 }
@@ -85,7 +86,7 @@ pub enum Error {
         /// The allowed values, in words.
         allowed: &'static str,
     },
-    /// A component of a wrench is not finite, or larger than 1e50 in size.
+    /// A component of a wrench is not finite, or larger than 1e50 in magnitude.
     #[error("{what}: component {component} is {value}, must be finite and at most 1e50 in size")]
     Wrench {
         /// The wrench at fault, such as "load", "base load" or "load direction".
@@ -166,10 +167,10 @@ pub enum Error {
         /// The allowed values, in words.
         allowed: &'static str,
     },
-    /// A number of an observed slip, of an unknown to be identified or of a known sum of unknowns is out of range.
+    /// A number of an observed slip, of a parameter to be identified or of a known sum of parameters is out of range.
     #[error("{what}: {field} is {value}, must be {allowed}")]
     Identify {
-        /// The observed slip, the unknown or the known sum of unknowns, with its index in its list, counted from 0.
+        /// The observed slip, the parameter or the known sum of parameters, with its index in its list, counted from 0.
         what: String,
         /// The quantity that is out of range.
         field: &'static str,
@@ -204,7 +205,7 @@ pub enum Error {
         /// The load before the leg.
         before: Vec<f64>,
     },
-    /// The question has no change of load. Either a first slip is sought and neither the load nor a command changes along the ramp, or loads on other
+    /// The question has no change of load. Either first slip is sought and neither the load nor a command changes along the ramp, or loads on other
     /// bodies are to grow in proportion to a load that is zero.
     #[error("onset: direction, command_change and joint_change are zero, one of them must change something")]
     NothingChanges,

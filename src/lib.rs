@@ -83,11 +83,11 @@
 //!
 //! ```text
 //! F_n = k_n (a_n - n·u_c + g)        0 <= g  ⟂  F_n >= 0
-//! F_t = k_t (a_t - t·u_c - s)        |F_t| <= μ F_n,  slip s along F_t on the cone's edge, zero inside
+//! F_t = k_t (a_t - t·u_c - s)        |F_t| <= μ F_n,  slip s along F_t on the cone's boundary, zero inside
 //! Σ G_i F_i + W = 0
 //! ```
 //!
-//! | symbol | meaning | unit | size |
+//! | symbol | meaning | unit | dimension |
 //! |---|---|---|---|
 //! | q | twist of the object: translation of the origin, rotation ([`grasp::Twist`]) | m, rad | d = 3 in the plane, 6 in space |
 //! | W | load on the object: force, moment about the origin ([`grasp::Wrench`]) | N, N m | d |

@@ -1,6 +1,6 @@
 //! Grasps in the plane: 3 degrees of freedom, 2 axes per contact. Lengths in m, forces in N, moments in N m, positive from x to y.
 //!
-//! The contact frame is (n, t) with n into the object and `t = (n_y, -n_x)`. The planar friction cone has two edges, and is not approximated by a
+//! The contact frame is (n, t) with n into the object and `t = (n_y, -n_x)`. Two rays bound the planar friction cone, which is not approximated by a
 //! polygon.
 
 pub use crate::grasp::Pressure;
@@ -64,9 +64,9 @@ macro_rules! names {
         pub type Turn = crate::load_path::Turn<$axes>;
         /// The angle at which the first contact stops sticking while a load turns; see [`crate::load_path::TurnOnset`].
         pub type TurnOnset = crate::load_path::TurnOnset<$axes>;
-        /// The load factor at which the first contact stops sticking; see [`crate::load_path::Onset`].
+        /// The onset, i.e. the load factor at which the first contact stops sticking; see [`crate::load_path::Onset`].
         pub type Onset = crate::load_path::Onset<$axes>;
-        /// Reusable memory for a sequence of questions for the load at first slip; see [`crate::ask::OnsetWorkspace`].
+        /// Scratch buffers for a sequence of questions for the load at first slip; see [`crate::ask::OnsetWorkspace`].
         pub type OnsetWorkspace = crate::ask::OnsetWorkspace<$axes>;
         /// The event at which the first contact stops sticking; see [`crate::load_path::OnsetEvent`].
         pub type OnsetEvent = crate::load_path::OnsetEvent<$axes>;
@@ -74,14 +74,14 @@ macro_rules! names {
         pub type DepartingContact = crate::load_path::DepartingContact<$axes>;
         /// How a contact stops sticking; see [`crate::load_path::Departure`].
         pub type Departure = crate::load_path::Departure<$axes>;
-        /// The behaviour just beyond a first slip or beyond the end of a load path: whether an equilibrium exists there; see
+        /// The behaviour just beyond first slip or beyond the end of a load path: whether an equilibrium exists there; see
         /// [`crate::load_path::Beyond`].
         pub type Beyond = crate::load_path::Beyond<$axes>;
-        /// The continuation of an equilibrium beyond an event; see [`crate::load_path::Continuation`].
+        /// The continuation of an equilibrium beyond an event, i.e. a change of contact states; see [`crate::load_path::Continuation`].
         pub type Continuation = crate::load_path::Continuation<$axes>;
         /// One leg of a load program, a section along which load and commands change in proportion, or the load turns; see [`crate::load_path::Leg`].
         pub type Leg = crate::load_path::Leg<$axes>;
-        /// An event on a load path: a load at which a contact, joint or tendon changes its state; see [`crate::load_path::Event`].
+        /// An event on a load path: a change of contact states, or a joint or tendon that reaches its force limit; see [`crate::load_path::Event`].
         pub type Event = crate::load_path::Event<$axes>;
         /// A contact whose state changes at an event; see [`crate::load_path::ContactChange`].
         pub type ContactChange = crate::load_path::ContactChange<$axes>;

@@ -1,5 +1,6 @@
-//! Numbers with their units, and directions. The only number that a format string passes to the `Display` of an answer is the precision. Therefore a
-//! [`Words`] is passed on as one number, a formatter's precision: the digits, plus codes for the unit of lengths and for the plane.
+//! Numbers with their units, and directions. A [`Words`] has the number of digits and the unit of lengths of an answer's text. A format string can
+//! pass to the `Display` of an answer only one number, the precision. Therefore a [`Words`] is passed on as this number: the digits, plus codes for
+//! the unit of lengths and for the plane.
 
 use core::fmt;
 
@@ -14,14 +15,14 @@ use crate::prelude::*;
 /// Default number of significant digits.
 const DEFAULT_DIGITS: usize = 6;
 
-/// When numbers are rounded up or down, a number that differs from a decimal with the written number of digits by less than this fraction is still
+/// If numbers are rounded up or down, a number that differs from a decimal with the written number of digits by less than this fraction is still
 /// written as that decimal.
 ///
 /// If smaller, an exact 4 N that was computed as 4.00000001 N is written as 4.00001 N. If larger, a written limit exceeds the computed one by more.
 const ROUNDING: f64 = 1e-8;
 
-/// Added to a formatter's precision to mark an answer as planar, although its vectors have three components. This number exceeds every number of
-/// digits.
+/// Added to a formatter's precision to mark an answer as planar, although its vectors have three components. This number exceeds every sum of a
+/// number of digits and a code for the unit of lengths.
 const IN_THE_PLANE: usize = 1 << 14;
 
 /// Factor by which the index in [`UNITS`] of the unit of lengths is multiplied in a formatter's precision, which also holds the number of digits.

@@ -16,7 +16,7 @@ use crate::picture::actuators::Actuators;
 ///
 /// * contacts, coloured by their states, with friction cones as long as the normal forces in them;
 /// * the force F on the object at each contact and the force of the load on its line of action. All answers have one scale, short enough that contact
-/// forces do not pass through the object. If the arrow of a load is too short to be visible, it is drawn longer, and its label says so;
+///   forces do not pass through the object. If the arrow of a load is too short to be visible, it is drawn longer, and its label says so;
 /// * for all points of a [soft fingertip](crate::spatial::SoftFingertip) one force and one cone, at their centre of pressure, and dots in the colours
 ///   of the states of the points;
 /// * the moment of the load about its line of action (the whole moment of a load without force), with two heads. If the line is far from the grasp,
