@@ -41,8 +41,8 @@ pub(crate) fn put(setup: &mut Setup<3>, asked: &Command) -> Result<(), Failure> 
     if setup.questions.is_empty() { Err(Failure::Usage(missing(asked))) } else { Ok(()) }
 }
 
-/// Warns if a question of the scene has a constant load (base load or load at the start), but `question`, the question of the command line, has none.
-/// The answer is then about the load of the command line alone.
+/// Warns if a question of the scene has a constant load (base load or load at the start), but `question` has none. `question` is the question of the
+/// command line. The answer is then about the load of the command line alone.
 fn warn_of_load_left_out(setup: &Setup<3>, question: &Question<3>) {
     let is_own = setup.questions.iter().any(|own| own.loads().is_some() && own.loads() == question.loads());
     if question.base() == Some(Wrench::ZERO)
@@ -56,9 +56,9 @@ fn warn_of_load_left_out(setup: &Setup<3>, question: &Question<3>) {
     }
 }
 
-/// Warns that a multiple of the load multiplies the weight of `--mass` together with its inertial force, although the user may want only the inertial
-/// force to grow. The warning is given if the load has an acceleration and no contact presses without the load. Example: a box on a belt tips over at
-/// some acceleration of the belt. If its weight grew with its inertial force, the box might stand at any multiple.
+/// Warns that a multiple of the load multiplies the weight of `--mass`, too, although the user may want only its inertial force to grow. The warning
+/// is given if the load has an acceleration and no contact presses without the load. Example: a box on a belt tips over at some acceleration of the
+/// belt. If its weight grew with its inertial force, the box might stand at any multiple.
 fn warn_of_weight_that_grows(setup: &Setup<3>, asked: &Command) {
     let load = match asked {
         Command::Hold { load, .. } => load,

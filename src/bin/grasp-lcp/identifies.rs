@@ -43,8 +43,7 @@ pub(crate) struct Identifies {
     pub(crate) unit: Unit,
 }
 
-/// One parameter to be estimated: its kind, such as friction, and the names of the contacts for which it is sought; all contacts if the list is
-/// empty.
+/// One parameter to be estimated: its kind, such as friction, and the names of the contacts for which it is sought. An empty list means all contacts.
 #[derive(Debug, Clone)]
 pub(crate) struct UnknownGiven {
     kind: UnknownKind,

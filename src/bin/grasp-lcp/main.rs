@@ -1,5 +1,5 @@
-//! The program `grasp-lcp`. It answers the questions of a scene, draws pictures of the answers, maps the force that a grasp holds in every direction,
-//! and answers a stream of scenes, one a line.
+//! The program `grasp-lcp`. It answers the questions of a scene and draws pictures of the answers. It maps the force that a grasp holds in every
+//! direction. It also answers a stream of scenes, one a line.
 
 #[macro_use]
 mod printing;

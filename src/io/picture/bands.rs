@@ -5,8 +5,9 @@ use super::palette::Rgb;
 use super::round_numbers::{in_steps, round_up, whole_above, whole_below};
 use crate::numerics::IntoList;
 
-/// Levels of a map, with one colour for the band between two neighbouring levels. The levels are evenly spaced round numbers. If the smallest value
-/// of the map is positive and the largest is more than four times the smallest, the levels are preferred numbers, spaced in roughly equal ratios.
+/// Levels of a map, with one colour for the band between two neighbouring levels. The levels are evenly spaced round numbers. There is one exception:
+/// the smallest value of the map is positive, and the largest is more than four times the smallest. The levels are then preferred numbers, spaced in
+/// roughly equal ratios.
 pub(super) struct Bands {
     /// Lower ends of the bands, and the upper end of the last band.
     pub(super) levels: Vec<f64>,

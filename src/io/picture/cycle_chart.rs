@@ -1,5 +1,5 @@
 //! Charts of the slips of contacts while a load repeats, and of the loops of friction force against slip in the last cycle. The base load acts before
-//! the repeated loads and stays constant.
+//! the repeated loads and stays constant. A leg is a section of a load program.
 
 use nalgebra::SVector;
 

@@ -1,5 +1,5 @@
 //! Force, contact state and position of a contact in pictures. A fingertip is a contact with all its points: a soft fingertip has several, which are
-//! shown with one resultant force, one state and one position.
+//! shown with one resultant force, one state and one position. A link (a hinge or cable, for example) joins two bodies, or a body and the ground.
 
 use nalgebra::SVector;
 

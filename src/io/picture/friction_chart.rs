@@ -1,6 +1,7 @@
 //! Charts of the friction force of each contact along a load path, as a fraction of its limit μ F_n. A soft fingertip counts as one contact. A leg is
-//! a section of the load program. Along a leg, load and commands change linearly, or the load turns. A jump is a sudden motion of the object under
-//! constant load. A drive is the spring of a joint or tendon of a hand, with its force limit.
+//! a section of the load program. Along a leg, load and commands change linearly, or the load turns. An event is a change of contact states at one
+//! point of the path. A jump is a sudden motion of the object under constant load. A drive is the spring of a joint or tendon of a hand, with its
+//! force limit.
 
 use super::chart::Chart;
 use super::fingertip::without_rounding;
@@ -25,7 +26,8 @@ pub(super) struct DrawnProgram<'a, const C: usize> {
     pub(super) start: Wrench<C>,
     pub(super) legs: &'a [Leg<C>],
     pub(super) axis: &'a str,
-    /// The position on the horizontal axis of a point of the load path, from the index of a leg and the fraction of this leg that is done.
+    /// The position on the horizontal axis of a point of the load path. The point is given by the index of a leg, and by the fraction of this leg
+    /// that is done.
     pub(super) place: &'a dyn Fn(usize, f64) -> f64,
 }
 
@@ -66,8 +68,8 @@ impl<const C: usize> DrawnProgram<'_, C> {
         last.unwrap_or((self.legs.len().saturating_sub(1), 1.0))
     }
 
-    /// Equilibria along the load path for the curves of the chart, each with its position on the horizontal axis: equilibria at regular intervals, at
-    /// events, and after jumps.
+    /// Equilibria along the load path for the curves of the chart, each with its position on the horizontal axis. They are taken at regular
+    /// intervals, at events, and after jumps.
     pub(super) fn states(&self, path: &LoadPath<C>, events: &[Event<C>]) -> Vec<(f64, Equilibrium<C>)> {
         let (last, end) = self.followed_to(path);
         let on_leg = |leg: usize| {

@@ -8,7 +8,7 @@ use super::sheet::{PaperPoint, Sheet};
 use crate::numerics::{Each, IntoList, increasing, mapped};
 use nalgebra::{Vector2, Vector3};
 
-/// Depth, pixels, by which a dot lies in front of the lines that end at it; a tenth of it separates the head of an arrow from its line. This depth is
+/// Depth, pixels, by which a dot lies in front of the lines that end at it. A tenth of it separates the head of an arrow from its line. This depth is
 /// invisible, and far above rounding errors.
 const IN_FRONT: f64 = 1e-2;
 /// Length and half the width of the head of an arrow, in widths of its line.

@@ -149,8 +149,8 @@ impl<'a> PlanarPicture<'a> {
 /// ```
 ///
 /// # Errors
-/// [`PictureError`] if equilibrium and grasp have different numbers of contacts, if a corner of the outline is not finite, or if a length or force is
-/// too large or too small to be drawn.
+/// [`PictureError`] if equilibrium and grasp have different numbers of contacts, or if a corner of the outline is not finite. Also if a length or
+/// force is too large or too small to be drawn.
 pub fn draw_grasp(
     grasp: &planar::Grasp,
     state: &planar::Equilibrium,

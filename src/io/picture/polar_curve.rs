@@ -1,4 +1,5 @@
-//! One curve of a polar chart: inside the rim, the outer circle of the chart, as a line; at radii beyond the rim as an arc along the rim.
+//! One curve of a polar chart. The rim is the outer circle of the chart. The curve is a line inside the rim, and an arc along the rim at radii beyond
+//! it.
 
 use crate::numerics::picked;
 use std::f64::consts::TAU;

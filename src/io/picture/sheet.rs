@@ -63,12 +63,10 @@ impl Sheet {
         let _ = writeln!(self.svg, "{element}");
     }
 
-    /// Draws a line through points on paper.
     pub(super) fn line(&mut self, places: &[PaperPoint], ink: impl Into<Ink>, width: f64) {
         self.stroke(places, ink.into(), width, "");
     }
 
-    /// Draws a dashed line.
     pub(super) fn dashes(&mut self, places: &[PaperPoint], ink: impl Into<Ink>, width: f64) {
         self.stroke(places, ink.into(), width, " stroke-dasharray=\"7,5\"");
     }
@@ -84,7 +82,6 @@ impl Sheet {
         }
     }
 
-    /// Draws a filled area.
     pub(super) fn area(&mut self, corners: &[PaperPoint], ink: impl Into<Ink>) {
         let (ink, points) = (paint("fill", ink.into()), points(corners));
         self.put(format_args!("<polygon{ink} points=\"{points}\"/>"));

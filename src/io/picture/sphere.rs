@@ -13,7 +13,7 @@ use super::sheet::{PaperPoint, Sheet, sheet};
 use super::sphere_grid::SphereGrid;
 use super::words::lines;
 
-/// A map of a sphere on two discs with equal areas (Lambert's azimuthal projection): directions that point upwards (z > 0) are on the left,
+/// A map of a sphere on two discs with equal areas (Lambert's azimuthal projection). Directions that point upwards (z > 0) are on the left,
 /// directions that point downwards on the right. Both are seen from above, x to the right and y up. The middle of a disc is ±z, its rim the
 /// directions perpendicular to z.
 ///
@@ -172,8 +172,9 @@ impl SphereMap {
         paper.text((middle.0, 60.0), words, 15.0, 0.5, BLACK);
     }
 
-    /// The values of the map, in which infinite values and NaN are replaced by the mean of their finite neighbours, or by the largest finite value if
-    /// there is no finite neighbour. Regions without finite values are painted over later, and must not distort the contours next to them.
+    /// The values of the map without infinite values and NaN. Each of these is replaced by the mean of its finite neighbours, or by the largest
+    /// finite value if it has no finite neighbour. Regions without finite values are painted over later, and must not distort the contours next to
+    /// them.
     fn filled(&self) -> Vec<f64> {
         let SphereGrid { rings, around } = self.grid;
         let finite = || self.values.iter().copied().filter(|value| value.is_finite());

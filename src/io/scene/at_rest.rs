@@ -1,5 +1,6 @@
 //! Warnings about contacts and links that press or pull with no force, or with another force than the scene states, in the equilibrium at rest. At
-//! rest means without load, or under the base load of a question. A command is a prescribed displacement of a finger or joint.
+//! rest means without load, or under the base load of a question. A command is a prescribed displacement of a finger or joint. A pad is the surface
+//! of a finger that closes on the grasped part.
 
 use super::link::LinkSetup;
 use super::question::Question;
@@ -94,9 +95,9 @@ impl Setup<3> {
         Ok(None)
     }
 
-    /// Warnings about contacts and links whose force at rest differs from the force that the scene states. The equilibria without load and under the
-    /// base load of each question are examined, since the scene does not say for which of them it states the forces. The equilibrium with the fewest
-    /// warnings is taken as the intended one, and its warnings are returned.
+    /// Warnings about contacts and links whose force at rest differs from the force that the scene states. The scene does not say for which
+    /// equilibrium it states the forces. Therefore the equilibria without load and under the base load of each question are examined. The equilibrium
+    /// with the fewest warnings is taken as the intended one, and its warnings are returned.
     pub(super) fn otherwise_at_rest(&self, grasp: &Grasp<3>) -> Result<Vec<Warning>, Error> {
         let is_pretensioned =
             |entry: &LinkSetup<3>| entry.link.tension.is_none() && entry.link.pretension != 0.0;
@@ -163,8 +164,8 @@ impl Setup<3> {
     }
 }
 
-/// Whether a load that grows from zero jams the object: the grasp holds some fraction of the load, after every friction coefficient between 0 and 3
-/// has been raised to 3.
+/// Whether a load that grows from zero jams the object. For this test every friction coefficient between 0 and 3 is raised to 3. The load jams the
+/// object if the grasp then holds some fraction of it.
 fn jams(grasp: &Grasp<3>, load: Wrench<3>) -> Result<bool, Error> {
     if load == Wrench::ZERO {
         return Ok(false);

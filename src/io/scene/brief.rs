@@ -1,5 +1,6 @@
 //! Short answers, of about a hundred bytes each: outcome, load factor, and the first contact that slips. The load factor is the multiple of a growing
-//! load. First slip is the event at which the first contact ceases to stick; the onset is its load factor. A leg is a section of a load program.
+//! load. First slip is the event at which the first contact ceases to stick; the onset is its load factor. A leg is a section of a load program. An
+//! amount is a value of the quantity that `need` seeks. A parameter is a number of the grasp that `identify` estimates from observations of slip.
 
 use serde::Serialize;
 

@@ -45,8 +45,8 @@ struct Open {
     element: Option<usize>,
 }
 
-/// The path of the value at the end of `read` or, if `around` is true, of the list or object that contains this value; empty for the whole text. All
-/// of `read` must be the beginning of a JSON text.
+/// The path of the value at the end of `read`; empty for the whole text. If `around` is true, the path of the list or object that contains this
+/// value. All of `read` must be the beginning of a JSON text.
 fn field_path(read: &[u8], around: bool) -> String {
     let mut path = String::new();
     let mut open: Vec<Open> = Vec::new();

@@ -1,4 +1,5 @@
-//! One entry of a list of contacts: a point contact, a soft fingertip or a suction cup.
+//! One entry of a list of contacts: a point contact, a soft fingertip or a suction cup. A soft fingertip is a contact that is spread over a patch of
+//! points. A pad is the surface of a finger that closes on the grasped part.
 
 use nalgebra::DMatrix;
 

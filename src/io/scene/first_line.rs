@@ -1,6 +1,7 @@
-//! The first line of every answer: one sentence, in everyday words, with the result. A leg is a section of a load program. A drive is the spring of a
-//! joint or tendon of a hand, with its force limit. A jump is a sudden motion under constant load. The object snaps over if it jumps from a point at
-//! which the path of equilibria ends.
+//! The first line of every answer: one sentence, in everyday words, with the result. A leg is a section of a load program. An event is a change of
+//! contact states at one point of a load path. First slip is the event at which the first contact ceases to stick; the onset is its load factor. A
+//! drive is the spring of a joint or tendon of a hand, with its force limit. A jump is a sudden motion under constant load. The object snaps over if
+//! it jumps from a point at which the path of equilibria ends.
 
 use super::answer::Answer;
 use super::onset::{OnsetAnswer, OnsetAt};

@@ -1,4 +1,5 @@
-//! Converts answers that the caller got from a grasp to the form in which a scene writes answers. A setup is a grasp with its questions.
+//! Converts answers that the caller got from a grasp to the form in which a scene writes answers. A setup is a grasp with its questions. First slip
+//! is the event at which the first contact ceases to stick.
 
 use super::labels::SceneNames;
 use super::onset::{Factor, OnsetAnswer, TurnAnswer};

@@ -1,6 +1,7 @@
 //! Stiffnesses that a scene does not give: their defaults, and trials with other values that show whether answers depend on them. A setup is a grasp
 //! with its questions. A link (a hinge, spring or cable, for example) joins two bodies, or a body and the ground. The load factor is the multiple of
-//! a question's load. A motion counts as small as long as it stays within the limits up to which the linear theory is trusted.
+//! a question's load. First slip is the event at which the first contact ceases to stick. A motion counts as small as long as it stays within the
+//! limits up to which the linear theory is trusted.
 
 use super::fingertip::Fingertip;
 use super::link::LinkSetup;
@@ -23,8 +24,8 @@ pub(super) const DEFAULT_STIFFNESS: f64 = 1e4;
 
 impl Setup<3> {
     /// Warnings about contacts and links without a stiffness, if an answer depends on this stiffness. To test this, each question is answered with
-    /// several trial stiffnesses, which lie between a tenth and ten times the default and are different for each contact, link and direction. Motions
-    /// always depend on the stiffness of contacts; the warning therefore lists every question `solve`.
+    /// several trial stiffnesses between a tenth and ten times the default. They are different for each contact, link and direction. Motions always
+    /// depend on the stiffness of contacts; the warning therefore lists every question `solve`.
     ///
     /// # Errors
     /// An [`Error`] for a malformed setup or question.

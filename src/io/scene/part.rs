@@ -189,8 +189,8 @@ impl PadTouch {
 }
 
 impl<const C: usize> Fingertip<C> {
-    /// This contact as a pad that closes on the part of the scene, in space; its point and normal become the position of the pad before it closes,
-    /// and the closing direction.
+    /// This contact as a pad that closes on the part of the scene, in space. The position of the pad before it closes takes the place of its point,
+    /// and the closing direction that of its normal.
     pub fn touching(mut self, touches: PadTouch) -> Self {
         self.contact.point = nalgebra::SVector::from_fn(|a, _| touches.from[a]);
         self.contact.normal = nalgebra::SVector::from_fn(|a, _| touches.closing[a]);
@@ -288,7 +288,7 @@ impl Scene {
     /// `folder`, which is usually the folder of the scene's file.
     ///
     /// # Errors
-    /// [`Error::Mesh`] if the mesh cannot be read or has no volume for its density, [`Error::Argument`] for a mass or density out of range, and the
+    /// [`Error::Mesh`] if the mesh cannot be read or has no volume for its density. [`Error::Argument`] for a mass or density out of range, and the
     /// errors of reading a `Robot`.
     pub fn with_files_from(self, folder: impl AsRef<Path>) -> Result<Self, Error> {
         let setup = self.setup.with_files_from(folder.as_ref())?;

@@ -30,8 +30,9 @@ pub struct PathAnswer<const C: usize> {
     pub small_motions_end: Option<EndOfSmallMotions>,
     /// The energies of each leg (section) of the load program that the path has reached; empty for a path in steps.
     pub energies: Vec<BalancedEnergy>,
-    /// Sum of the estimated errors of the steps along pieces of the path on which slip directions turn, each relative in the sense of
-    /// [`Settings::step_error`](crate::Settings::step_error); 0 if slip directions never turn. For a path in steps, see [`SteppedPath::step_error`].
+    /// Sum of the estimated errors of the steps along pieces of the path on which slip directions turn. Each error is relative in the sense of
+    /// [`Settings::step_error`](crate::Settings::step_error). The sum is 0 if slip directions never turn. For a path in steps, see
+    /// [`SteppedPath::step_error`].
     #[serde(with = "AsComputed::<f64>")]
     pub step_error: f64,
 }

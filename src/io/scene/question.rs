@@ -1,6 +1,6 @@
 //! Questions about a scene: equilibrium, first slip under a growing or turning load, load path, and others. First slip is the event at which the
 //! first contact ceases to stick; the onset is its load factor. The base load acts before the load of the question grows. A leg is a section of a
-//! load program.
+//! load program. A command is the displacement that a finger or joint would make without the object.
 
 use std::collections::BTreeMap;
 

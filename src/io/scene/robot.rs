@@ -86,8 +86,8 @@ impl RobotSetup<3> {
         Ok(if self.effort.is_some() { robot.limited_by_effort() } else { robot })
     }
 
-    /// Refuses a joint whose position is beyond its limits in the description file by more than a thousandth of their distance: angles in degrees are
-    /// often written with three digits.
+    /// Refuses a joint whose position is beyond its limits in the description file. A thousandth of the distance of the limits is allowed, since
+    /// angles in degrees are often written with three digits.
     fn check_range(&self, robot: &Robot, name: &str) -> Result<(), Error> {
         let (unit, position) = (robot.in_radians(name, 1.0)?, self.joints[name]);
         let joint = robot.joints().iter().find(|joint| joint.name() == name);

@@ -1,5 +1,5 @@
-//! JSON Schemas that are not derived: of vectors written as rows, of wrenches, of numbers that may be words such as "infinite", and of types with
-//! their own deserialiser.
+//! JSON Schemas that are not derived: of vectors written as rows, of wrenches, and of numbers that may be words such as "infinite". Also the schemas
+//! of types with their own deserialiser.
 
 use std::borrow::Cow;
 

@@ -1,5 +1,6 @@
 //! Answers that begin with a sentence: to `hold`, `need`, `improve`, `identify` and about repeated loads. An amount is a value of the quantity that
-//! `need` seeks. A parameter is a number of the grasp that `identify` estimates.
+//! `need` seeks. A parameter is a number of the grasp that `identify` estimates. The load factor is the multiple of a growing load. The squeeze is
+//! everything by which contacts press at rest without a load.
 
 use std::fmt;
 

@@ -1,5 +1,5 @@
-//! Settings in the text of a scene; settings that the scene does not give have the crate's defaults. A leg is a section of a load program. A
-//! polygonal cone approximates the round friction cone by plane facets.
+//! Settings in the text of a scene; settings that the scene does not give have the crate's defaults. A leg is a section of a load program. The load
+//! factor is the multiple of a growing load. A polygonal cone approximates the round friction cone by plane facets.
 
 use serde::de::{Deserialize, Deserializer};
 use serde::ser::{Serialize, Serializer};

@@ -86,8 +86,8 @@ impl Setup<3> {
             let points: Vec<_> = mapped(&grasp.contacts()[contact.range.clone()], &|c| c.point);
             let wide = spread(&points);
             // A patch is the area over which the points of a soft fingertip or pad are spread. It may be wider than the distance of the contacts, as
-            // on stacked pallets or sheets. A patch is suspicious if it is wider than 2 m and wider than ten times the distance of the contacts, such
-            // as a pad of a few mm whose width was read in m. A patch that is the only contact is hardly wider than ten metres.
+            // on stacked pallets or sheets. A patch is suspicious if it is wider than 2 m and wider than ten times the distance of the contacts. An
+            // example is a pad of a few mm whose width was read in m. A patch that is the only contact is hardly wider than ten metres.
             let most = if size > 0.0 { f64::max(2.0, 10.0 * size) } else { 10.0 };
             if wide > most && !is_wide {
                 is_wide = true;
@@ -118,8 +118,8 @@ impl Setup<3> {
         self.bodies.iter().find(|body| body.name == *on).map_or(&[], |body| &body.outline)
     }
 
-    /// Warnings about loads that act far outside of the grasp (see [`far_load`]), or that exceed a hundred times the load that friction under the
-    /// pressing forces can carry.
+    /// Warnings about loads that act far outside of the grasp (see [`far_load`]). Also about loads that exceed a hundred times the load that friction
+    /// under the pressing forces can carry.
     pub(super) fn odd_loads(&self) -> Vec<Warning> {
         let mut warnings = Vec::new();
         let (mut pressed, mut carried) = (0.0, 0.0);

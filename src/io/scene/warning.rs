@@ -1,7 +1,7 @@
 //! Warnings about probable mistakes in a scene. The scene can be answered nevertheless. At rest means without load, or under the constant base load
-//! of a question. A command is the displacement that a finger would make without the object. A clearance is the gap before the command; contacts with
-//! a negative clearance overlap and press. A drive is the spring of a joint or tendon of a hand, with its force limit. A link (a hinge, spring or
-//! cable, for example) joins two bodies, or a body and the ground.
+//! of a question. A command is the displacement that a finger would make without the object. A pad is the surface of a finger that closes on the
+//! grasped part. A clearance is the gap before the command; contacts with a negative clearance overlap and press. A drive is the spring of a joint or
+//! tendon of a hand, with its force limit. A link (a hinge, spring or cable, for example) joins two bodies, or a body and the ground.
 
 use serde::Serialize;
 

@@ -2,7 +2,8 @@
 //!
 //! `{"force": [0, -1], "moment": 0.2}` in the plane, `{"force": [0, 0, -1], "moment": [0, 0.1, 0]}` in space. Parts that are left out are zero.
 //! `"at": [0.1, 0]` lets the force act at a point other than the origin; the moment of this force about the origin is added. If a force and a moment
-//! other than zero are given without `"at"`, only the line of action of the force is known, not the point on it at which the force acts.
+//! other than zero are given without `"at"`, only the line of action of the force is known. The point on this line at which the force acts is then
+//! unknown.
 
 use nalgebra::SVector;
 use serde::de::{Deserialize, Deserializer};
@@ -135,7 +136,7 @@ impl<'de, const C: usize> Deserialize<'de> for Wrench<C> {
             if let Some(points) = points {
                 wrench = wrench.acting_at(points);
             }
-            // The weight and inertial force of a body that an arm carries are added only if the wrench has a `mass`: adding a zero wrench would
+            // The weight and inertial force of a body that an arm carries are added only if the wrench has a `mass`. Adding a zero wrench would
             // change -0 to 0.
             Ok(carried.load_in(space)?.map_or(wrench, |pull| wrench + Self::from_inside(pull)))
         })

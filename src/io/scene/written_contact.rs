@@ -1,5 +1,5 @@
 //! A contact in the text of a scene, and its checks. A soft fingertip is a contact that is spread over a patch of points. A part is a grasped object
-//! that is given as a mesh.
+//! that is given as a mesh, and a pad is the surface of a finger that closes on the part.
 
 use std::sync::Arc;
 

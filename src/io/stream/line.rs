@@ -3,7 +3,6 @@
 /// Length of the longest line that is accepted, bytes. A longer line is discarded, and its answer is an error.
 pub const LONGEST_LINE: usize = 1 << 26;
 
-/// One line of input.
 pub(super) struct InputLine {
     /// The number of the line, from 1.
     pub(super) number: usize,

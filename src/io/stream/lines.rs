@@ -31,7 +31,7 @@ pub struct Tally {
     pub errors: usize,
 }
 
-/// Upper bound on the number of lines that are read but whose answers are not yet written; lines that are still in the input buffer ([`BLOCK_BYTES`]
+/// Upper bound on the number of lines that are read but whose answers are not yet written. Lines that are still in the input buffer ([`BLOCK_BYTES`]
 /// bytes) do not count.
 #[must_use]
 pub const fn most_ahead(threads: usize) -> usize {

@@ -48,7 +48,7 @@ impl ShownAnswers {
     }
 }
 
-/// The beginning of the label of an event along a load program, such as "leg 0 at 0.5: left slides"; a leg is a section of the program.
+/// The beginning of the label of an event along a load program, such as "leg 0 at 0.5: left slides". A leg is a section of the program.
 const EVENT_LABEL: &str = "leg ";
 /// The beginning of the label of a grasp before its finger places are improved.
 const BEFORE_LABEL: &str = "before";
@@ -262,8 +262,8 @@ fn followed(path: PathAnswer<3>, start: &Wrench<3>, legs: usize, words: Words) -
     states
 }
 
-/// The picture of an event: the equilibrium at the event, with a label that names the contacts that change their state, and the drives that reach
-/// their limit.
+/// The picture of an event: the equilibrium at the event. Its label names the contacts that change their state, and the drives that reach their
+/// limit.
 fn changed(event: Event<3>, words: Words) -> ShownState {
     let contacts = event.whole_changes();
     let contacts =

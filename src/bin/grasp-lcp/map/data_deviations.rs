@@ -20,8 +20,8 @@ pub(crate) struct DataDeviations {
     #[arg(long, allow_hyphen_values = true, value_parser = percent, default_value_t = 5.0, value_name = "PERCENT")]
     squeeze_off: f64,
     /// Reserve of each force of the map, in standard deviations of the data: with 3 one grasp in 740 slides under less than this force, with 2 one in
-    /// 44. Every friction and squeeze is multiplied by a factor of its own, and so is the stiffness of every contact, along all its axes alike.
-    /// Factors are log-normal: twice and half are equally likely
+    /// 44. Every coefficient of friction and everything that presses is multiplied by a factor of its own. So is the stiffness of every contact,
+    /// along all its axes alike. Factors are log-normal: twice and half are equally likely
     #[arg(long, allow_hyphen_values = true, value_parser = deviations, default_value_t = 3.0, value_name = "NUMBER")]
     pub(super) sigmas: f64,
 }
@@ -37,8 +37,8 @@ impl DataDeviations {
         Uncertainty::seeded(0).with_friction(friction).with_stiffness(stiffness).with_squeeze(squeeze)
     }
 
-    /// Two lines of text for tables and pictures: the number of standard deviations by which data may deviate before a contact slides, and the
-    /// standard deviations of friction, stiffness and clamping force.
+    /// Two lines of text for tables and pictures. They have the number of standard deviations by which data may deviate before a contact slides. They
+    /// also have the standard deviations of friction, stiffness and clamping force.
     pub(super) fn words(&self) -> [String; 2] {
         let words = Words::default();
         let number = |x: f64| words.number(x);

@@ -1,4 +1,5 @@
-//! The end of the load path in one direction of a map. Along this path a force in this direction grows from zero in addition to the base load.
+//! The end of the load path in one direction of a map. Along this path a force in this direction grows from zero in addition to the base load, which
+//! is constant. First slip is the event at which the first contact ceases to stick.
 
 use grasp_lcp::Error;
 use grasp_lcp::equilibrium::TooFar;

@@ -13,8 +13,8 @@ pub(super) fn head() {
     );
 }
 
-/// Prints the row of one direction: the force at first slip, the force `reserve` that allows for uncertain data, and the force at the end of the load
-/// path, N. Load paths were followed up to the force `most`, N.
+/// Prints the row of one direction. It has the force at first slip, the force `reserve` that allows for uncertain data, and the force at the end of
+/// the load path, N. Load paths were followed up to the force `most`, N.
 pub(super) fn row(direction: &str, first: &FirstSlipForce, reserve: f64, last: &LimitForce, most: f64) {
     let number = |x: f64| Words::default().number(x);
     println!(

@@ -56,7 +56,7 @@ pub(super) struct Picture<'a> {
     tips: Vec<DrawnFingertip<'a>>,
     load: Option<PlanarLoad>,
     way_out: Option<MovedOutlines>,
-    /// Largest extent of contact points, outlines and links of the hand along an axis, m; 1 m if all of these lie at one point.
+    /// Largest extent of contact points, outlines and the rigid links of the hand's fingers along an axis, m; 1 m if all of these lie at one point.
     span: f64,
     /// Scale of forces, m/N.
     scale: f64,
@@ -295,7 +295,7 @@ impl<'a> Picture<'a> {
     }
 }
 
-/// The ends of all links of the hand.
+/// The ends of all rigid links of the hand's fingers.
 fn ends_of_bones(grasp: &Grasp<3>) -> Vec<Vector2<f64>> {
     mapped(&grasp.links().concat(), &|end| end.xy())
 }

@@ -25,7 +25,7 @@ use crate::picture::actuators::Actuators;
 /// * axes of the motions that no contact resists, and the object displaced along the motion with which it leaves the grasp;
 /// * links of a [hand](crate::grasp::Hand) in the initial posture, and its joints whose torque is at its limit.
 ///
-/// A table on the page has the numbers of the answer shown, in N, m and rad; for a soft fingertip it has sums, and the points on request. On narrow
+/// A table on the page has the numbers of the answer shown, in N, m and rad. For a soft fingertip it has sums, and the points on request. On narrow
 /// screens picture, legend and table are below each other.
 ///
 /// ```

@@ -1,5 +1,5 @@
 //! JSON data in the HTML of a page: graphical marks of the grasp and of its answers, and the scales with which the page's JavaScript draws these
-//! marks.
+//! marks. A fingertip is a contact with all its points.
 
 use super::drawing::Drawing;
 use super::eye::View;

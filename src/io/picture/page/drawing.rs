@@ -43,8 +43,8 @@ struct LargestValues {
     displacement: f64,
 }
 
-/// The arrows of a load: a force on its line of action, at the point nearest to the centre of the grasp, and the moment about this line. If the line
-/// is farther from the centre than 1.5 times the span, the force is drawn at the centre, with the moment about the centre.
+/// The arrows of a load. The force is drawn on its line of action, at the point nearest to the centre of the grasp, with the moment about this line.
+/// If the line is farther from the centre than 1.5 times the span, the force is drawn at the centre, with the moment about the centre.
 pub(super) struct LoadArrow {
     pub(super) at: Vector3<f64>,
     pub(super) force: Vector3<f64>,
@@ -106,8 +106,8 @@ impl<'p> Drawing<'p> {
         };
         let states = || page.frames.iter().filter_map(Frame::state);
         let loads = || page.frames.iter().filter_map(Frame::load).map(|load| drawing.load(load));
-        // If a load acts at a distance from the centre that exceeds the span of the grasp, the area that the picture shows is as large as this
-        // distance. The lengths of arrows are proportional to this size, too, so that arrows remain visible.
+        // If a load acts farther from the centre than the span of the grasp, the picture shows an area as large as this distance. The lengths of
+        // arrows are proportional to this size, too, so that arrows remain visible.
         let away = |load: LoadArrow| (load.at - drawing.centre).norm();
         let size = loads().map(away).fold(span, f64::max);
         let mut largest = drawing.largest(states());
@@ -199,8 +199,8 @@ impl<'p> Drawing<'p> {
         }
         let along = force / size;
         let away = along.cross(&(about_centre / size));
-        // A line of action farther away than 1.5 times the span would make the grasp a dot in the picture; the force is then drawn in the middle of
-        // the grasp.
+        // A line of action may be farther away than 1.5 times the span. If the picture contained it, the grasp would be a dot. The force is then
+        // drawn in the middle of the grasp.
         if away.norm() > 1.5 * self.span {
             return in_the_middle(true);
         }

@@ -76,8 +76,8 @@ pub(super) struct Eye {
 }
 
 impl Eye {
-    /// The projection with the largest scale at which all points lie inside the window, and a line of the length `span`, m, is not longer than the
-    /// window.
+    /// The projection with the largest scale that meets two conditions: all points lie inside the window, and a line of the length `span`, m, is not
+    /// longer than the window.
     pub(super) fn new(
         view: View,
         window: Window,

@@ -32,7 +32,6 @@ pub(super) fn json_row(numbers: &[f64]) -> Result<String, PictureError> {
     Ok(format!("[{}]", numbers.join(",")))
 }
 
-/// A JSON array.
 pub(super) fn json_list<T>(
     items: &[T],
     write: &dyn Fn(&T) -> Result<String, PictureError>,

@@ -1,4 +1,5 @@
-//! The legend of a still picture (SVG): the meaning of its marks (arrows, cones, lines and dots), and its scales in words.
+//! The legend of a still picture (SVG): the meaning of its marks (arrows, cones, lines and dots), and its scales in words. A fingertip is a contact
+//! with all its points.
 
 use super::drawing::{Drawing, LoadArrow};
 use super::frame::Frame;

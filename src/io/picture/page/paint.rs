@@ -36,7 +36,7 @@ pub(super) fn painting(eye: &Eye, marks: &[Mark]) -> Painting {
                 let (ends, _) = load_ends(eye, from, along);
                 let long = (ends[1] - ends[0]).xy().norm();
                 // In space the arrow of a load is at least 18 pixels long. If it is shorter than 8 pixels on paper, it points almost to the eye or
-                // away from it, and is drawn as seen from its end: a dot or a cross in a circle.
+                // away from it. It is then drawn as seen from its end: a dot or a cross in a circle.
                 if long < 8.0 {
                     painting.end_on(ends[0], ends[1].z > ends[0].z, BLACK, *width);
                 } else {

@@ -20,8 +20,8 @@ use nalgebra::Vector2;
 impl Page {
     /// Draws one of the answers: in space as the page shows it, seen from one side, with a legend; in the plane as a
     /// [`PlanarPicture`](crate::picture::PlanarPicture). `answer` is the index of the answer, from 0 in the order in which answers were added; `None`
-    /// draws the grasp alone. In space all answers of a page seen from the same side have the same scales of forces, moments, displacements and
-    /// lengths, so that their pictures can be compared. The marks of all answers lie inside the picture.
+    /// draws the grasp alone. In space all answers of a page, seen from the same side, have the same scales of forces, moments, displacements and
+    /// lengths. Their pictures can thus be compared. The marks of all answers lie inside the picture.
     ///
     /// A friction cone is normally a little higher than the arrow of its normal force. If the radius of such a cone exceeds half the size of the
     /// grasp (μ far above 1), the whole cone is drawn smaller.

@@ -1,4 +1,5 @@
-//! The tables of a page: one section for each answer, of which the page shows one.
+//! The tables of a page: one section for each answer, of which the page shows one. A fingertip is a contact with all its points; a soft fingertip has
+//! several. A link (a hinge or cable, for example) joins two bodies, or a body and the ground.
 
 use std::fmt::Write;
 use std::ops::Range;
@@ -190,7 +191,8 @@ fn write_row(
     }
     let mut words = numbers.map(short);
     if contact.hold == Hold::Bonded || contact.link.is_some() {
-        // A bonded contact has no limit of friction: a dash takes the place of the friction used, and "bonded" or the kind of link the place of μ.
+        // A bonded contact has no limit of friction. A dash takes the place of the friction used, and "bonded" or the kind of link takes the place of
+        // μ.
         (words[3], words[4]) = ("–".into(), contact.link.map_or("bonded", LinkKind::name).into());
     }
     let state = match contact.link {
