@@ -205,7 +205,7 @@ pub enum Error {
         /// The load before the leg.
         before: Vec<f64>,
     },
-    /// The question has no change of load. Either first slip is sought and neither the load nor a command changes along the ramp, or loads on other
+    /// The question has no change of load. If first slip is sought, neither the load nor a command changes along the ramp. Otherwise loads on other
     /// bodies are to grow in proportion to a load that is zero.
     #[error("onset: direction, command_change and joint_change are zero, one of them must change something")]
     NothingChanges,
@@ -398,8 +398,8 @@ pub enum Field {
 }
 
 impl Field {
-    /// The words between the name and the value of a quantity in an error message: "is", but "of length" for a tangent, since the error gives the
-    /// length of the tangent.
+    /// The words between the name and the value of a quantity in an error message: "is". For a tangent they are "of length", since the error gives
+    /// the length of the tangent.
     pub(crate) fn is(self) -> &'static str {
         if self == Self::Tangent { "of length" } else { "is" }
     }

@@ -11,8 +11,8 @@
 //!
 //! (Comput. Methods Appl. Mech. Eng. 92, 1991.) The forces of redundant contacts are not determined, so Newton's method may drift among them. Let a
 //! be given forces, the anchor, and δ > 0 a weight. With ζ = r − ρ u − δ (r − a) the forces are determined: the proximal term −δ (r − a) holds them
-//! near a. If a is replaced again and again by the forces that solve these equations, while δ decreases, the forces converge to a solution of the law
-//! (proximal point method, R. T. Rockafellar, SIAM J. Control Optim. 14, 1976).
+//! near a. The anchor a is replaced again and again by the forces that solve these equations, while δ decreases. The forces then converge to a
+//! solution of the law (proximal point method, R. T. Rockafellar, SIAM J. Control Optim. 14, 1976).
 
 use super::blocks::{Blocks, ContactBlock};
 use super::equations::{Equations, Linearisation};

@@ -68,8 +68,8 @@ pub(super) fn follow<const C: usize>(
     let energy = (0..problem.len()).map(|i| part::<C>(&r, i).norm_squared() / rho[i]).sum::<f64>() / count;
     let ControlFlow::Continue(missing) = judge(&r) else { return (r, 0) };
     let mut best = (missing, r.clone());
-    // The parameter τ of the last point on the central path, the factor by which τ is reduced for the next point, and the number of Newton steps made
-    // so far.
+    // The parameter τ of the last point on the central path, and the factor by which τ is reduced for the next point. `made` is the number of Newton
+    // steps made so far.
     let (mut tau, mut factor, mut made) = (begin * energy, 1.0, 0);
     // Factor of τ between the first two points of the path; later factors adapt to the number of Newton steps.
     let slow = 0.2;
@@ -134,8 +134,8 @@ impl<const C: usize> Equations<C> for Smoothed<'_, C> {
     }
 }
 
-/// The residual r' − P(r' − ρ û') of a contact's smoothed law (symbols at the top of the file), and its derivatives with respect to the contact's
-/// force and velocity.
+/// The residual r' − P(r' − ρ û') of a contact's smoothed law, and its derivatives with respect to the contact's force and velocity. The top of the
+/// file explains the symbols.
 fn contact<const C: usize>(
     force: &SVector<f64, C>,
     velocity: &SVector<f64, C>,

@@ -1,5 +1,5 @@
-//! Proofs that no solution exists: under any forces in the friction cones, the normal velocity of some contact is negative, so that its two bodies
-//! would penetrate each other.
+//! Proofs that no solution exists. Under any forces in the friction cones, the normal velocity of some contact is negative, so that its two bodies
+//! penetrate each other.
 //!
 //! Velocities are u = W r + q for contact forces r; W_N and q_N are the normal rows of W and q. A vector y ≥ 0 with one weight per contact is such a
 //! proof if a = W_Nᵀ y and q_N satisfy
@@ -89,9 +89,9 @@ impl<const C: usize> FrictionProblem<C> {
 }
 
 /// In the plane two rays bound a contact's friction cone. For one of these rays, the exact sum Σ y_i (W_iN + μ W_iT). It is the weighted normal
-/// velocity of all contacts i if the force of the contact lies on the ray, per unit of its normal force; in a proof y it is at most zero. W_iN and
-/// W_iT are the entries of `columns`, the contact's normal and tangential columns of W, in the normal row of contact i, which is the row `step · i`.
-/// The products of y_i and μ are split into two doubles without error; `None` if one of them underflows or overflows.
+/// velocity of all contacts i per unit of normal force, if the force of the contact lies on the ray. In a proof y it is at most zero. W_iN and W_iT
+/// are entries of `columns`, the contact's normal and tangential columns of W. They are in row `step · i`, the normal row of contact i. The products
+/// of y_i and μ are split into two doubles without error; `None` if one of them underflows or overflows.
 fn edge(y: &DVector<f64>, columns: &[&[f64]], step: usize, mu: f64) -> Option<ExactSum> {
     let mut sum = ExactSum::new();
     for (i, y) in y.iter().enumerate() {

@@ -88,8 +88,8 @@ impl<const C: usize> FrictionProblem<C> {
         })
     }
 
-    /// The forces r, except that a contact's force is set to zero if it is too small to matter: it changes every velocity by less than the rounding
-    /// error of that velocity.
+    /// The forces r, without forces that are too small to matter. A contact's force is set to zero if it changes every velocity by less than the
+    /// rounding error of that velocity.
     fn without_noise(&self, mut r: DVector<f64>) -> DVector<f64> {
         let terms = self.w.abs() * r.abs() + self.q.abs();
         for i in 0..self.len() {

@@ -98,8 +98,8 @@ impl<const C: usize> Path<'_, C> {
         (point.size <= enough).then_some(x)
     }
 
-    /// The equations at a point x (the forces, then ln τ). Returns three results: their residuals, the root mean square of these residuals divided by
-    /// √τ, and the derivatives of the residuals with respect to forces and ln τ.
+    /// The equations at a point x (the forces, then ln τ). Returns their residuals, and the root mean square of these residuals divided by √τ. Also
+    /// returns the derivatives of the residuals with respect to forces and ln τ.
     fn residual_and_derivatives(&self, x: &DVector<f64>) -> (DVector<f64>, f64, DMatrix<f64>) {
         let size = x.len() - 1;
         let r = x.rows(0, size).into_owned();

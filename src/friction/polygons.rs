@@ -14,8 +14,8 @@ use crate::lcp::{BreakdownCause, Certificate, Outcome};
 use crate::prelude::*;
 use nalgebra::{DVector, SVector};
 
-/// The search for forces on the round cone that starts from polygons: the angles of the facets, counts of pivots and Newton steps, and the smallest
-/// residual after a run of Newton's method.
+/// The search for forces on the round cone that starts from polygons. It has the angles of the facets, and the numbers of pivots and Newton steps. It
+/// also has the smallest residual after a run of Newton's method.
 pub(super) struct Polygons<'a, const C: usize> {
     problem: &'a FrictionProblem<C>,
     newton: Newton<'a, C>,

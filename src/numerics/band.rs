@@ -1,7 +1,7 @@
 //! A square band matrix and its LU factors with partial pivoting.
 //!
 //! With entries up to b positions from the diagonal, row exchanges fill up to 2b positions to the right. LU factors of n rows cost 2 n b²
-//! multiplications in place of n³/3, and the solution for one right-hand side costs 3 n b in place of n².
+//! multiplications in place of n³/3. The solution for one right-hand side costs 3 n b in place of n².
 
 use super::tolerances::BAND_PIVOT;
 use crate::numerics::{dot, mapped};
@@ -105,7 +105,6 @@ impl Band {
     }
 }
 
-/// LU factors of a band.
 #[derive(Debug, Clone)]
 pub(crate) struct BandFactors {
     /// U on and above the diagonal, L below it.

@@ -24,9 +24,9 @@ pub(super) fn factorise(
     let size = r.size();
     r.fill(0.0);
     order.iter_mut().enumerate().for_each(|(j, order)| *order = j);
-    // Four lists with a number for each column of A. `full` is the length of the column, `noise` a bound on the length of its rounding error, and
-    // `left` the length of the column's remainder: the column less its projections on the finished columns. `parts` is the coefficient of the column
-    // along the newest column of Q.
+    // Four lists with a number for each column of A. `full` is the length of the column, and `noise` a bound on the length of its rounding error.
+    // `left` is the length of the column's remainder: the column less its projections on the finished columns. `parts` is the coefficient of the
+    // column along the newest column of Q.
     let [mut full, mut noise, mut left, mut parts] = [(); 4].each(|()| Vector::all_zero(size));
     let [full, noise, left, parts] =
         [&mut full, &mut noise, &mut left, &mut parts].each(|list| &mut list.as_mut_slice()[..d]);

@@ -5,7 +5,6 @@ use core::ops::{Add, Mul, Sub};
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
-/// A harmonic function x(φ).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Harmonic<X> {
     pub(crate) constant: X,

@@ -152,8 +152,8 @@ impl Polytope {
 }
 
 /// Bounds of the radius of the largest ball about the origin in the set with this support function. They differ by at most `closeness` times the size
-/// of the set, unless the search ends early: after `most_points` points, with too many faces, or because of rounding. `None` if the polytope has no
-/// face.
+/// of the set, unless the search ends early. It ends early after `most_points` points, with too many faces, or because of rounding. `None` if the
+/// polytope has no face.
 pub(crate) fn largest_ball(
     support: &SupportFunction<'_>,
     simplex: &[Vertex],
@@ -178,7 +178,7 @@ pub(crate) fn largest_ball(
         now.at_least = distance.min(now.at_most);
         let (at_most, close) = (now.at_most, closeness * next.norm());
         bounds = Some(now);
-        // The search ends if the bounds differ by at most `close`. It also ends if the upper bound is at most `close`: up to this accuracy the set
+        // The search ends if the bounds differ by at most `close`. It also ends if the upper bound is at most `close`. Up to this accuracy the set
         // contains no ball about the origin, and more points would not help.
         if at_most - distance <= close || at_most <= close {
             break;

@@ -4,7 +4,7 @@
 //! min |τ|,    b_i + a_i·τ >= 0
 //! ```
 //!
-//! τ follows from the point closest to (0, 1) in the cone that the vectors (a_i, -b_i) span: the residual r, (0, 1) less this point, is a positive
+//! τ follows from the point closest to (0, 1) in the cone that the vectors (a_i, -b_i) span. The residual r, (0, 1) less this point, is a positive
 //! multiple of (-τ, 1).
 //!
 //! Source: least-distance programming, Lawson and Hanson, Solving Least Squares Problems (1974), chapter 23, section 4.

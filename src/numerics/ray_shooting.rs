@@ -23,8 +23,8 @@ pub(crate) struct RayExit {
     pub(crate) normal: Vector,
     /// The upper bound in `v·(x - middle) <= upper_bound`. It is at least one, and equals one up to rounding if the pivots have converged.
     pub(crate) upper_bound: f64,
-    /// The sum s of `coefficients`: the distance of the target from the middle of the simplex, divided by the distance of the middle from the point
-    /// where the ray crosses the plane of `vertices`.
+    /// The sum s of `coefficients`. It is the distance from the middle of the simplex to the target, divided by the distance from this middle to the
+    /// plane of `vertices`, both along the ray.
     pub(crate) stretch: f64,
 }
 

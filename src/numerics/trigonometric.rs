@@ -68,7 +68,6 @@ impl Trigonometric {
         Self { constant, first: [cosine, sine], second: [0.0; 2] }
     }
 
-    /// The difference of two polynomials.
     pub(crate) fn minus(&self, other: &Self) -> Self {
         Self {
             constant: self.constant - other.constant,

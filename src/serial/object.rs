@@ -7,8 +7,8 @@ use serde::de::value::MapAccessDeserializer;
 use serde::de::{Deserialize, Deserializer, Error, MapAccess, Visitor};
 
 /// Reads an object of the text as `W` and converts it by `make` to a `T`. If the text is no object, the message says that `what` is expected. The
-/// conversion takes place while the deserializer is still inside the object. If `make` fails, a format with lines and columns therefore adds to the
-/// message the position at which the object ends, not a later position in the text.
+/// conversion takes place while the deserializer is still inside the object. If `make` fails, a format with lines and columns therefore adds the
+/// right position to the message: the end of the object, not a later position in the text.
 pub(crate) fn read<'de, W, T, D>(
     deserializer: D,
     what: &'static str,

@@ -15,8 +15,8 @@ use crate::prelude::*;
 /// Default number of significant digits.
 const DEFAULT_DIGITS: usize = 6;
 
-/// If numbers are rounded up or down, a number that differs from a decimal with the written number of digits by less than this fraction is still
-/// written as that decimal.
+/// The tolerance with which numbers are rounded up or down. A number that differs from a decimal with the written number of digits by less than this
+/// fraction is still written as that decimal.
 ///
 /// If smaller, an exact 4 N that was computed as 4.00000001 N is written as 4.00001 N. If larger, a written limit exceeds the computed one by more.
 const ROUNDING: f64 = 1e-8;

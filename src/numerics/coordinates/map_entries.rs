@@ -1,5 +1,5 @@
-//! Entries of the grasp map of a contact, from its force to the coordinates of the grasp: all rows for up to six coordinates, otherwise the nonzero
-//! rows. The coordinates of a grasp describe the motion of the object, of joints and of further bodies.
+//! Entries of the grasp map of a contact, from its force to the coordinates of the grasp. For up to six coordinates all rows are stored, otherwise
+//! the nonzero rows. The coordinates of a grasp describe the motion of the object, of joints and of further bodies.
 //!
 //! With several bodies a contact acts on two of them, so its map has entries in few rows. Sums over these rows equal sums over all rows bit for bit,
 //! since adding zeros changes nothing.

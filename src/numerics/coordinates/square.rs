@@ -10,7 +10,6 @@ use super::size::{Size, WHOLE};
 use super::vector::Vector;
 use crate::prelude::*;
 
-/// A square matrix over coordinates.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Square {
     entries: Entries,

@@ -48,7 +48,6 @@ impl Vector {
         Self(List::zeros(size.count()))
     }
 
-    /// The unit vector along one coordinate.
     #[inline]
     pub(crate) fn unit(size: Size, along: usize) -> Self {
         Self::from_fn(size, |k| if k == along { 1.0 } else { 0.0 })
