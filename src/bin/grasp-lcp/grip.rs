@@ -155,7 +155,7 @@ impl Grip {
 }}
 "#
         );
-        // The text is read back, so that a fault for which the scene would be refused later is reported now.
+        // The text is read back: a fault for which scenes are refused is thus reported now, and not only when the scene is used.
         let mut scene =
             Scene::from_json(text.as_bytes()).map_err(|fault| Failure::Scene(fault.to_string()))?;
         scene.setup = scene.setup.on_part(Arc::new(part));

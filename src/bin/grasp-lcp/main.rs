@@ -104,7 +104,7 @@ fn with_owners_of_flag(mut error: clap::Error) -> clap::Error {
             owners.push(format!("`{}`", command.get_name()));
         }
     }
-    // The parser's own tip, to write the flag behind `--`, would make it the name of a scene.
+    // The parser's own tip is to write the flag behind `--`. The flag would then be read as the name of a scene.
     error.remove(ContextKind::Suggested);
     if !owners.is_empty() {
         let tip = format!("`{flag}` belongs to {}", owners.join(", "));

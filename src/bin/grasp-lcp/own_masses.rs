@@ -1,5 +1,5 @@
-//! Options of the command line that tilt or accelerate bodies whose masses the scene states. A weight that the scene's gravity contains already is
-//! not added again.
+//! Options of the command line that tilt or accelerate bodies whose masses the scene states. If the scene's gravity already gives a body its weight,
+//! this weight is not added again.
 
 use std::borrow::Cow;
 

@@ -116,7 +116,7 @@ impl Report<'_> {
                     (true, true) => format!("from {base} along {along}, commands changing along"),
                     (true, false) => format!("from {base} along {along}"),
                 };
-                // If only finger commands change, the load is constant, and printing it would not locate the onset.
+                // If only finger commands change, the load is constant, and does not locate the onset.
                 let place = |report: &Self, event: &OnsetAt<3, Factor>| {
                     let at = report.number(event.at.factor);
                     let there = if *direction == Wrench::ZERO {

@@ -20,8 +20,8 @@ pub(crate) struct SceneLoads {
 impl SceneLoads {
     /// The loads of the scene's first question `need`. If the scene has no question `need`, the loads of several questions `hold` are taken. These
     /// are all questions `hold` that have the same constant load as the first `hold`, and no loads on other bodies. If it has no question `hold`
-    /// either, the load of its first question `solve`. Questions whose loads are zero come after all others. A warning says which loads are taken.
-    /// `None` without any of these questions.
+    /// either, the load of its first question `solve` is taken. Questions whose loads are zero come after all others. A warning says which loads are
+    /// taken. `None` without any of these questions.
     pub(crate) fn of(setup: &Setup<3>) -> Option<Self> {
         let kinds: [fn(&Question<3>) -> bool; 3] = [
             |question| matches!(question, Question::Need(_)),

@@ -105,7 +105,7 @@ impl Chart {
         let rows = charts.len().div_ceil(columns);
         let (wide, high) = CHART.size;
         let size = (wide * columns as f64, high * rows as f64);
-        // A [`Sheet`] clamps coordinates to this size (pixels); charts farther out would be misplaced.
+        // A [`Sheet`] clamps coordinates to this size (pixels). Charts farther out are therefore misplaced.
         if size.0.max(size.1) > 1e7 {
             return Err(PictureError(format!("{} are too many to be drawn", charts.len())));
         }

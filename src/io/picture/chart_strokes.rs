@@ -1,4 +1,4 @@
-//! The strokes of a chart: series, marks and labels.
+//! The strokes of a chart: series, vertical lines and labels.
 
 use super::canvas::Canvas;
 use super::layout::CHART;
@@ -104,7 +104,7 @@ pub(super) fn draw_ground(paper: &mut Sheet, a: PaperPoint, b: PaperPoint, [grou
     paper.line(&[&corners[..], &corners[..1]].concat(), GREY.mix(around), 1.0);
 }
 
-/// Draws vertical lines with labels at the top; labels that would overlap are moved down.
+/// Draws vertical lines with labels at the top. A label that overlaps another label at the same height is moved down.
 pub(super) fn draw_marks(paper: &mut Sheet, canvas: &Canvas, marks: &[(f64, String)]) {
     let mut taken: Vec<[f64; 3]> = Vec::new();
     for (x, label) in marks {
@@ -115,7 +115,7 @@ pub(super) fn draw_marks(paper: &mut Sheet, canvas: &Canvas, marks: &[(f64, Stri
         let side = if part > 0.6 { -1.0 } else { 1.0 };
         let long = plaque_size(label, CHART.label).0 / canvas.wide;
         let from = if side > 0.0 { part } else { part - long };
-        // A label that would extend beyond an edge of the chart is moved inside.
+        // A label that extends beyond an edge of the chart is moved inside.
         let moved = from.min(1.0 - long).max(0.0) - from;
         let from = from + moved;
         let meets = |row: f64| taken.iter().any(|[at, to, r]| *r == row && from < *to && from + long > *at);

@@ -16,7 +16,7 @@ pub(super) fn cone_ratio<const C: usize>(contact: &Contact<C>) -> f64 {
 }
 
 /// Height and radius of the drawn friction cone of a contact whose normal force is an arrow of length `arrow`; `None` without friction or force.
-/// `cone_ratio` is the ratio of radius to height. A cone with a radius above `widest` is drawn shorter, because it would hide everything else.
+/// `cone_ratio` is the ratio of radius to height. A cone with a radius above `widest` is drawn shorter, so that it does not hide everything else.
 pub(super) fn cone_size(cone_ratio: f64, arrow: f64, widest: f64) -> Option<[f64; 2]> {
     let high = MARKS.cone * arrow;
     let wide = (cone_ratio * high).min(widest);

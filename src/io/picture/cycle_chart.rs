@@ -37,7 +37,7 @@ use crate::numerics::{IntoList, chosen, increasing, largest, mapped, moved};
 /// ```
 ///
 /// # Errors
-/// [`Error::Wrench`] if a load, [`Error::Contact`] if a command is not finite or beyond 1e50; [`Error::Size`] if a leg has more or fewer commands
+/// [`Error::Wrench`] if a load, or [`Error::Contact`] if a command, is not finite or beyond 1e50; [`Error::Size`] if a leg has more or fewer commands
 /// than there are contacts.
 pub fn charts_of_cycles<const C: usize>(
     grasp: &Grasp<C>,

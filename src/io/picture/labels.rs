@@ -60,8 +60,8 @@ impl Labels {
         self.left_out += 1;
     }
 
-    /// The best position of a name: beside its point or, if a name beside the point would cover too many strokes, anywhere on the paper. A line joins
-    /// the name to its point if they are more than 16 pixels apart. `None` if no free position is left on the paper.
+    /// The best position of a name: beside its point or, if a name beside the point covers too many strokes, anywhere on the paper. A line joins the
+    /// name to its point if they are more than 16 pixels apart. `None` if no free position is left on the paper.
     fn place(&mut self, paper: &mut Sheet, point: PaperPoint, size: (f64, f64)) -> Option<PaperPoint> {
         let beside = self.best(point, &self.plates_beside(point, size));
         let is_clear = |plate: &NamePlate| self.cost(point, plate) <= COVERS_MUCH;

@@ -10,7 +10,7 @@ use super::sheet::PaperPoint;
 pub(super) struct MarkLayout {
     /// Length of a friction cone, as a multiple of the length of the arrow of the normal force in it.
     pub(super) cone: f64,
-    /// The arrow of a load is at least this long: a shorter arrow is lengthened, because it would hardly be visible.
+    /// The arrow of a load is at least this long: a shorter arrow is lengthened, so that it is visible.
     pub(super) shortest_load: f64,
     /// Radius of the arc of a moment in the plane.
     pub(super) moment_arc: f64,

@@ -56,8 +56,8 @@ pub fn chart_of_turn<const C: usize>(grasp: &Grasp<C>, turn: &Turn<C>, title: &s
 /// ```
 ///
 /// # Errors
-/// [`Error::Wrench`] if a load, [`Error::Contact`] if a command is not finite or beyond 1e50; [`Error::Size`] if the ramp has more or fewer command
-/// changes than there are contacts.
+/// [`Error::Wrench`] if a load, or [`Error::Contact`] if a command, is not finite or beyond 1e50; [`Error::Size`] if the ramp has more or fewer
+/// command changes than there are contacts.
 pub fn chart_of_load<const C: usize>(
     grasp: &Grasp<C>,
     ramp: &Ramp<C>,
@@ -86,7 +86,7 @@ pub fn chart_of_load<const C: usize>(
 /// ```
 ///
 /// # Errors
-/// [`Error::Wrench`] if a load, [`Error::Contact`] if a command is not finite or beyond 1e50; [`Error::Size`] if a leg has more or fewer commands
+/// [`Error::Wrench`] if a load, or [`Error::Contact`] if a command, is not finite or beyond 1e50; [`Error::Size`] if a leg has more or fewer commands
 /// than there are contacts.
 pub fn chart_of_program<const C: usize>(
     grasp: &Grasp<C>,

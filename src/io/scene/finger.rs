@@ -94,7 +94,7 @@ impl<const C: usize> FingerSetup<C> {
         self
     }
 
-    /// Returns an error for a finger without contacts, since such a finger would be ignored silently.
+    /// Returns an error for a finger without contacts. If there were no error, such a finger would be ignored silently.
     fn checked(self) -> Result<Self, String> {
         if self.contacts.is_empty() {
             return Err("contacts: none given, must be at least one a finger".to_owned());

@@ -60,7 +60,8 @@ pub(super) fn in_metres(text: &[u8], unit: Unit) -> Result<Scene, Fault> {
     if let Some(fields) = scene.as_object_mut() {
         fields.remove("unit");
     }
-    // The JSON value is converted to text and read again: reading from a `Value` directly would compile the whole deserialiser a second time.
+    // The JSON value is converted to text and read again. If it were read from the `Value` directly, the whole deserialiser would be compiled a
+    // second time.
     let scene: Scene = serde_json::from_slice(&serde_json::to_vec(&scene).map_err(fault)?).map_err(fault)?;
     Ok(Scene { unit, ..scene })
 }

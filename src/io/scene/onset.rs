@@ -72,7 +72,7 @@ pub struct OnsetAt<const C: usize, At = Factor> {
     pub load: Wrench<C>,
     /// The contacts that stop sticking at this load, all at the same time.
     pub leaving: Vec<DepartingContact<C>>,
-    /// The joints and tendons that change their state at this load.
+    /// The joints and tendons whose drives yield, hold again, slacken or tighten at this load.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub drives: Vec<PartChange>,
     /// The behaviour just beyond first slip. Rates of change of forces and motions are per unit of the load factor, or per radian of the turn.

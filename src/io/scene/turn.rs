@@ -156,7 +156,7 @@ impl<const C: usize> Serialize for Turn<C> {
 }
 
 /// Read from a weight that is tilted, a force that turns, or three wrenches (feature `serde`), see [`crate::scene`]. Refuses a turn that
-/// [`Grasp::onset_of_turn`](crate::ask::Grasp::onset_of_turn) would refuse.
+/// [`Grasp::onset_of_turn`](crate::ask::Grasp::onset_of_turn) refuses.
 impl<'de, const C: usize> Deserialize<'de> for Turn<C> {
     fn deserialize<S: Deserializer<'de>>(deserializer: S) -> Result<Self, S::Error> {
         object::read(deserializer, "a turn", |written: WrittenTurn<C>| written.turn())

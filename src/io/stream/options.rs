@@ -1,6 +1,6 @@
 //! Options of a stream. A leg is a section of a load program, whose load path is followed from event to event.
 
-/// Options for answering a stream of scenes: number of threads, short or full answers, and limits beyond which a scene would delay all later ones.
+/// Options for answering a stream of scenes: number of threads, short or full answers, and limits, so that no scene delays all later ones for long.
 ///
 /// ```
 /// use grasp_lcp::stream::{StreamOptions, answer_lines};
@@ -23,7 +23,7 @@ pub struct StreamOptions {
     pub threads: usize,
     /// Whether answers are [short](crate::scene::Brief).
     pub brief: bool,
-    /// Largest number of contact points. A scene with more points is refused, because all later lines would wait for its answer. 2 000 by default.
+    /// Largest number of contact points. A scene with more points is refused, because all later lines wait for its answer. 2 000 by default.
     pub most_points: usize,
     /// Largest number of combinations of contact states that a scene may try, even if its settings allow more. 20 000 by default.
     pub most_states: usize,

@@ -50,7 +50,7 @@ pub(crate) fn draw(scene: &Scene, pictures: &Pictures) -> Result<(), Failure> {
             page = says.into_iter().fold(page, Page::says);
         }
     }
-    // A planar grasp without an answer has no page: it would show no more than the picture. A spatial grasp can be turned on its page.
+    // A planar grasp without an answer has no page, because a page shows no more than the picture. A spatial grasp can be turned on its page.
     if setup.axes() == 3 || page.answers() > 0 {
         pictures.save(".html", &page.to_html()?)?;
     }

@@ -122,7 +122,7 @@ pub(crate) fn words<const C: usize>(at: [f64; C], base: &Wrench<C>, caution: Opt
     lines
 }
 
-/// The error of a map that would take too long.
+/// The error if a map takes too long.
 pub(crate) fn too_long() -> Failure {
     Failure::Scene("a map of so many contacts takes more than five minutes".to_owned())
 }

@@ -31,7 +31,7 @@ pub(super) struct Drawing<'p> {
     pub(super) moment: f64,
     /// Magnification of displacements; 0 if they are not drawn.
     pub(super) displacement: f64,
-    /// The largest displacement, m, if displacements are too large to be drawn: their magnification would be below 1.
+    /// The largest displacement, m, if displacements are too large to be drawn, i.e. if their magnification is below 1.
     undrawn: Option<f64>,
 }
 
@@ -155,7 +155,7 @@ impl<'p> Drawing<'p> {
         most
     }
 
-    /// Scale of forces of all answers, m/N: the smallest of the scales that the single answers would have.
+    /// Scale of forces of all answers, m/N: the smallest of the scales of the single answers.
     fn force_scale<'s>(&self, states: impl Iterator<Item = &'s Equilibrium>, largest: f64) -> f64 {
         let grasp = &self.page.grasp;
         let frames: Vec<_> = grasp.frames().list();

@@ -114,7 +114,7 @@ fn scale(pixels: f64, width: f64, heads: usize, unit: &str) -> Option<Entry> {
     })
 }
 
-/// Legend entries of the states of fingertips and their points, one for each state that occurs.
+/// Legend entries of the contact states of fingertips and their points, one for each state that occurs.
 fn of_contacts(drawing: &Drawing, state: &Equilibrium) -> Vec<Entry> {
     let contacts = drawing.page.grasp.contacts();
     let resultant = |tip: &ContactPoints| tip.resultant(contacts, state);

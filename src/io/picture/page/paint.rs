@@ -102,7 +102,8 @@ fn shades(eye: &Eye, marks: &[Mark]) -> impl Fn(f64) -> Rgb + use<> {
     }
 }
 
-/// Paints a cone as two faces, a near one and a far one, so that the arrow of the force is drawn between them. More and smaller faces would show seams.
+/// Paints a cone as two faces, a near one and a far one, so that the arrow of the force is drawn between them. With more and smaller faces, seams are
+/// visible.
 fn cone(painting: &mut Painting, apex: &EyePoint, rim: &[EyePoint], ink: Rgb) {
     let sides = rim.len();
     let next = |k: usize| (k + 1) % sides;
