@@ -190,8 +190,8 @@ pub enum Error {
     /// which contacts change their states have closed forms.
     #[error("commands or torques of a leg: change while the load turns, must stay")]
     CommandsWhileTurning,
-    /// A turn (a leg along which the load turns) begins with another load than the load that acts just before this leg. The load would jump at the
-    /// beginning of the leg.
+    /// A turn (a leg along which the load turns) begins with another load than the load that acts just before this leg. Such a leg would make the
+    /// load jump at its beginning, if it were followed.
     #[error(
         "leg {leg}: its turn begins with {}, and {} acts before it, must be the same: give it as `start` or `base`, or by a leg before; loads that do not turn are `beside`",
         load_text(begins),
@@ -350,7 +350,7 @@ pub enum Error {
         /// Number of joints and tendons.
         expected: usize,
     },
-    /// Listing all equilibria would need too many combinations of contact states.
+    /// All equilibria cannot be listed, since too many combinations of contact states have to be tried.
     #[error("{contacts} contacts have {combinations:e} combinations of states, at most {most} are tried")]
     TooManyStates {
         /// Number of contacts of the grasp.

@@ -5,7 +5,7 @@
 //! [`central_path`] finds the contact states of most contacts. Newton steps continue from the forces at the end of the path, and a proximal term
 //! holds them near given forces, the [anchor](super::alart_curnier). Newton steps without this term come last. The forces whose largest residual over
 //! all contacts is smallest are kept. If a start fails, the next start makes another number of sweeps. It also begins the central path nearer to the
-//! surfaces of the friction cones, or farther inside.
+//! boundaries of the friction cones, or farther inside.
 
 use super::alart_curnier::Anchored;
 use super::blocks::Blocks;
@@ -153,7 +153,7 @@ impl<'a, 'w, const C: usize> IslandSolve<'a, 'w, C> {
     /// residual of the best forces is within the tolerance.
     fn polish(&mut self) -> bool {
         for _ in 0..20 {
-            // Forces whose residual is a hundredth of the tolerance need no further Newton steps.
+            // Forces whose residual is at most a hundredth of the tolerance need no further Newton steps.
             if self.best.residual <= 0.01 * self.settings.tolerance || self.best.stopped {
                 break;
             }

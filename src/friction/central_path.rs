@@ -9,8 +9,8 @@
 //! P(x) = Σ± φ(x_N ± ‖x_T‖) (1, ± x_T / ‖x_T‖) / 2,     φ(λ) = (λ + √(λ² + 4 ρ τ)) / 2
 //! ```
 //!
-//! which keeps forces strictly inside (M. Fukushima, Z.-Q. Luo and P. Tseng, SIAM J. Optim. 12, 2001), so that no contact has to be open, sticking or
-//! sliding early. Newton's method follows the solutions as τ decreases.
+//! which keeps forces strictly inside (M. Fukushima, Z.-Q. Luo and P. Tseng, SIAM J. Optim. 12, 2001), so that no contact has to be declared open,
+//! sticking or sliding before the end of the path. Newton's method follows the solutions as τ decreases.
 
 use super::blocks::{Blocks, ContactBlock};
 use super::equations::{Equations, IterationLimits, Linearisation, descend};

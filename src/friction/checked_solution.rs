@@ -67,8 +67,8 @@ impl<const C: usize> FrictionProblem<C> {
         if !residuals.within(tolerance) {
             return None;
         }
-        // Forces are rejected if the terms of W r exceed q by many orders of magnitude. These terms then cancel, and their rounding error hides q:
-        // the same forces would pass the check for any other q as small as this one.
+        // Forces are rejected if the terms of W r exceed q by many orders of magnitude. These terms then cancel, and their rounding error hides q. If
+        // q were any other vector of this magnitude, the same forces would pass the check, too.
         let terms = (self.w.abs() * r.abs()).amax();
         if residuals.max() > FEW_ROUNDINGS && residuals.max() * terms > BACKWARD_ERROR * self.q.amax()
             || terms > 0.0 && self.q.amax() <= LOST * terms

@@ -59,10 +59,10 @@
 //!
 //! **Many contacts, or a few for which facets fail.** Gauss–Seidel sweeps with the exact force of one contact at a time (M. Jean, Comput. Methods
 //! Appl. Mech. Eng. 177, 1999) find the magnitude of the forces. From these forces the solver follows the central path û ∘ r = τ as τ decreases to
-//! zero (∘ is the Jordan product of the cone). The path lies inside the cones. On this path no contact has to be open, sticking or sliding early (M.
-//! Fukushima, Z.-Q. Luo and P. Tseng, SIAM J. Optim. 12, 2001). For a few contacts the solver also follows the path around the folds that friction
-//! causes. Newton's method makes the last steps. Until its last few steps a proximal term holds the forces near given forces, the anchor, because the
-//! forces of redundant contacts are not determined.
+//! zero (∘ is the Jordan product of the cone). The path lies inside the cones. No contact has to be declared open, sticking or sliding before the end
+//! of the path (M. Fukushima, Z.-Q. Luo and P. Tseng, SIAM J. Optim. 12, 2001). For a few contacts the solver also follows the path around the folds
+//! that friction causes. Newton's method makes the last steps. Until its last few steps a proximal term holds the forces near given forces, the
+//! anchor, because the forces of redundant contacts are not determined.
 //!
 //! W is stored in blocks, so zero blocks cost nothing. [`FrictionProblem::solve_watched`] reports progress and can be stopped.
 //!

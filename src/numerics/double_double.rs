@@ -57,8 +57,8 @@ impl DoubleDouble {
     }
 }
 
-/// The exact value of `a b - product`, by splitting into halves of 26 bits (T. J. Dekker, 1971). A fused multiply-add would be one instruction,
-/// but becomes a library call if the target processor may lack it.
+/// The exact value of `a b - product`, by splitting into halves of 26 bits (T. J. Dekker, 1971). A fused multiply-add is a single instruction, but
+/// becomes a library call if the target processor may lack it.
 #[inline(always)]
 pub(crate) fn rounding_of(product: f64, a: f64, b: f64) -> f64 {
     let ((a_high, a_low), (b_high, b_low)) = (halves(a), halves(b));

@@ -62,7 +62,7 @@ pub(crate) fn in_halves<W: Halves, S: Send>(
     plus: &(impl Fn(S, S) -> S + Sync),
 ) -> S {
     let count = whole.count();
-    // Short parts are summed without further halving, which would gain too little accuracy for the cost of the calls.
+    // Short parts are summed without further halving, which gains too little accuracy for the cost of the calls.
     if count <= 256 {
         return part(whole);
     }

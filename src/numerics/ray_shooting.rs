@@ -85,7 +85,7 @@ pub(crate) fn shoot(support: &SupportFunction<'_>, simplex: &[Vertex], target: &
     found
 }
 
-/// Positions of vertices relative to the origin of the ray, as columns.
+/// Positions of vertices relative to the middle of the simplex, where the ray starts, as columns.
 fn matrix(vertices: &[Vertex], origin: &Vector) -> Square {
     Square::from_columns(Size::of(vertices.len()), |k| &vertices[k].at - origin)
 }

@@ -23,9 +23,9 @@ pub(crate) trait Kind {
 
 /// A number that the user gives in a scene or a question: finite and at most 1e50 in magnitude.
 pub(crate) enum Given {}
-/// A coefficient of friction.
+/// Coefficients of friction, or the word "infinite".
 pub(crate) enum Friction {}
-/// The stiffness of a spring.
+/// Stiffnesses of springs, or the word "rigid".
 pub(crate) enum SpringStiffness {}
 /// A number in an answer, of any value.
 pub(crate) enum Computed {}
