@@ -62,8 +62,8 @@ impl Polar {
         /// Adds a line of text below the legend.
         pub fn note(mut self, text: impl Into<String>) { self.notes.push(text.into()); }
 
-        /// Sets the largest radius that must lie inside the rim; without it all finite radii lie inside. The rim is the first ring at or beyond this
-        /// radius whose radius is a round number.
+        /// Sets the largest radius that must lie inside the rim; without it all finite radii lie inside. The radii of the rings are multiples of a
+        /// round number. The rim is the first ring at or beyond the given radius.
         pub fn rim(mut self, radius: f64) { self.rim = Some(radius); }
     }
 

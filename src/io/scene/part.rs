@@ -66,8 +66,8 @@ pub struct PadTouch {
     /// across the closing direction then matters.
     #[serde(default, skip_serializing_if = "core::ops::Not::not")]
     pub collision_shapes: bool,
-    /// Of a rectangle: numbers of strips in half of each side, with two points each, 2 and 2 if left out. Of a disc: numbers of annuli and of
-    /// points on a ring, 2 and 8 if left out.
+    /// Of a rectangle: numbers of strips in half of each side, with two points each, 2 and 2 if left out (4 and 4 with `collision_shapes`). Of a
+    /// disc: numbers of annuli and of points on a ring, 2 and 8 if left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub strips: Option<[usize; 2]>,
     /// The middle of the pad before it closes, m.

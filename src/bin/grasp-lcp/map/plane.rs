@@ -141,8 +141,8 @@ impl Drawing<'_> {
         let most = |radii: &mut dyn Iterator<Item = f64>| radii.filter(|r| r.is_finite()).fold(0.0, f64::max);
         let onsets = || firsts.iter().map(|first| first.force);
         let (onset, limit) = (most(&mut onsets()), most(&mut lasts.iter().map(|last| last.force)));
-        // The rim of the polar picture is 5 % beyond the largest force on its curves. If three times the largest force at first slip is less, the rim
-        // is 5 % beyond that. Larger forces are drawn as arcs on the rim.
+        // The rim of the polar picture is at least 5 % beyond the largest force on its curves. If three times the largest force at first slip is
+        // less, the rim is at least 5 % beyond that instead. Larger forces are drawn as arcs on the rim.
         let rim = onset.max(limit).min(3.0 * onset) * 1.05;
         let mut polar = Polar::new(format!("{title}: what a force in every direction does"), "N")
             .rim(rim)

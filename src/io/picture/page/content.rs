@@ -14,7 +14,7 @@ use crate::picture::actuators::Actuators;
 /// visible. In space the picture is turned by dragging, enlarged by the wheel or two fingers and reset by a double click. It then shows, in the
 /// coordinates of the grasp (z upwards at first):
 ///
-/// * contacts, coloured by their states, with friction cones as long as the normal forces in them;
+/// * contacts, coloured by their states, with friction cones 1.15 times as high as the arrows of the normal forces in them;
 /// * the force F on the object at each contact and the force of the load on its line of action. All answers have one scale, short enough that contact
 ///   forces do not pass through the object. If the arrow of a load is too short to be visible, it is drawn longer, and its label says so;
 /// * for all points of a [soft fingertip](crate::spatial::SoftFingertip) one force and one cone, at their centre of pressure, and dots in the colours
