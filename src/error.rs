@@ -226,8 +226,8 @@ pub enum Error {
         /// The contact whose force a budget does not limit.
         contact: ContactLabel,
     },
-    /// The method that was called decides whether contacts can balance loads of any size. The vacuum of suction cups helps to balance limited loads
-    /// only, about which this method says nothing.
+    /// The method that was called decides whether contacts can balance loads of any magnitude. The vacuum of suction cups helps to balance limited
+    /// loads only, about which this method says nothing.
     #[error(
         "{question} asks for loads of any size: the vacuum of contact {contact} is limited, ask load_limit or ferrari_canny"
     )]
@@ -300,7 +300,7 @@ pub enum Error {
         field: &'static str,
         /// The fault in words; the value follows it in the message.
         fault: &'static str,
-        /// Size of the fault: the largest difference between entries across the diagonal, or the least eigenvalue.
+        /// Magnitude of the fault: the largest difference between entries across the diagonal, or the least eigenvalue.
         value: f64,
     },
     /// A matrix of a hand has the wrong number of rows or columns.

@@ -109,7 +109,7 @@
 //! Malformed input is an [`Error`] with the contact, the field, its value and the allowed values. Every equilibrium carries
 //! [residuals](equilibrium::Residuals) recomputed from the question. With friction several equilibria are common: [`equilibrium::FoundBy`] is the
 //! rule by which the returned equilibrium was found. [`ask::Grasp::equilibria`] lists all equilibria; on the round cone it lists the equilibria found
-//! from the states of a polygonal cone.
+//! from contact states on a polygonal cone.
 //!
 //! A point contact carries no moment. A two-finger pinch in space therefore turns freely about the line between the contacts. The answer contains
 //! this motion in [`free_motions`](equilibrium::Equilibrium::free_motions). [`grasp::SoftFingertip`] spreads a contact over a patch that resists

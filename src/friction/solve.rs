@@ -30,7 +30,7 @@ impl<const C: usize> FrictionProblem<C> {
     /// |---|---|
     /// | [`Solved`](Outcome::Solved) | the law is satisfied to the tolerance of the settings |
     /// | [`Infeasible`](Outcome::Infeasible) | no solution: whatever forces in the cones act, some contact approaches. `y` has a weight per contact, see [`Self::proves_infeasible`] |
-    /// | [`NoBasis`](Outcome::NoBasis) | in the plane: no solution exists, since each combination of states of an island is excluded without rounding |
+    /// | [`NoBasis`](Outcome::NoBasis) | in the plane: no solution exists, since each combination of contact states of an island is excluded without rounding |
     /// | others | undecided. A [`Ray`](crate::lcp::Ray) is a ray of the complementarity problem of [`Self::facets`] |
     #[must_use]
     pub fn solve_with(&self, settings: &Settings) -> Outcome<Solution> {

@@ -151,9 +151,9 @@ impl Polytope {
     }
 }
 
-/// Bounds of the radius of the largest ball about the origin in the set with this support function. They differ by at most `closeness` times the size
-/// of the set, unless the search ends early. It ends early after `most_points` points, with too many faces, or because of rounding. `None` if the
-/// polytope has no face.
+/// Bounds of the radius of the largest ball about the origin in the set with this support function. Let c be `closeness` times the distance of the
+/// last support point from the origin. The search ends if the bounds differ by at most c, or if the upper bound is at most c. It ends early after
+/// `most_points` points, with too many faces, or because of rounding. `None` if the polytope has no face.
 pub(crate) fn largest_ball(
     support: &SupportFunction<'_>,
     simplex: &[Vertex],

@@ -21,7 +21,8 @@ pub(crate) fn two_sided(probability: f64, degrees: Option<f64>) -> f64 {
         let (low, high) = (0..60).fold((least, most), halve);
         0.5 * (low + high)
     };
-    // Above 4000 degrees of freedom the normal distribution replaces Student's distribution, from which it differs by some 1e-4.
+    // Above 4000 degrees of freedom the normal distribution replaces Student's distribution. There their quantiles for 95 % differ by the fraction
+    // 3e-4.
     match degrees {
         Some(nu) if nu <= 4000.0 => {
             let a = 0.5 * nu.max(1.0);

@@ -22,7 +22,7 @@ pub(crate) const ROUNDED_SUM: f64 = 16.0 * f64::EPSILON;
 /// seem not to. With a larger one quantities that the caller can see count as zero.
 pub(crate) const SOLVED_ROUNDING: f64 = 1e-12;
 
-/// Relative size below which a quantity is negligible: a gap, a slip, a gain, a difference of two results.
+/// Relative magnitude below which a quantity is negligible: a gap, a slip, a gain, a difference of two results.
 ///
 /// It lies between the rounding of solves (1e-12) and the digits of data and sentences (1e-6). With a smaller tolerance results of iterations differ
 /// by their own error. With a larger one measurable effects are omitted.
@@ -60,15 +60,15 @@ pub(super) const BAND_PIVOT: f64 = 1e-11;
 /// If smaller, a semidefinite matrix gets factors that consist of rounding. If larger, matrices of condition 1e12 get no factors.
 pub(super) const POSITIVE_PIVOT: f64 = 1e-12;
 
-/// A convex set counts as flat if, in some direction, it is thinner than this fraction of its largest extent.
+/// A convex set counts as flat if, in some direction, it is thinner than this fraction of the largest distance of its support points from the origin.
 ///
 /// If smaller, a flat set gets a volume that consists of rounding. If larger, thin sets count as flat, and wrenches inside such a set count as
 /// outside.
 pub(super) const FLAT_SET: f64 = 1e-10;
 
 /// The search for the largest ball about the origin in a convex set lets a polytope grow within the set. The distance of the polytope's closest face
-/// from the origin should not decrease. A decrease up to this fraction of the extent of the set is accepted as rounding; a larger one ends the
-/// search.
+/// from the origin should not decrease. A decrease up to this fraction of the distance of the first vertices from the origin is accepted as rounding;
+/// a larger one ends the search.
 ///
 /// If smaller, sets of many points end with a loose bound. If larger, a polytope with a wrong face continues to grow.
 pub(super) const POLYTOPE_SHRINKS: f64 = 1e-7;
