@@ -47,10 +47,10 @@
 //!
 //! | module | contents |
 //! |---|---|
-//! | [`load_path`] | first slip and the behaviour just beyond it; load programs followed with slip memory, for a few contacts ([`load_path::LoadPath`]) or thousands ([`load_path::SteppedPath`]); sensitivities |
+//! | [`load_path`] | first slip and the behaviour just beyond it; load programs followed with the accumulated slips of all contacts, for a few contacts ([`load_path::LoadPath`]) or thousands ([`load_path::SteppedPath`]); sensitivities |
 //! | [`shake`] | loads that repeat: rest, alternating slip, slip that accumulates (walking), or loss |
 //! | [`identify`] | friction, loads of supports, squeeze and stiffness from observed slips, with their standard errors |
-//! | [`improve`] | finger places on given surfaces, and squeezes, with the latest first slip |
+//! | [`improve`] | finger places on given surfaces, and clamping forces, with the latest first slip |
 //! | [`squeeze`] | the least squeeze for a set of loads, and the weakest direction |
 //! | [`statics`] | force closure and form closure: which loads contact forces could balance |
 //! | [`energy`] | the quadratic program (minimum energy) of "Position Control for Multifingered Robot Hand", and its comparison with the complementarity problem |

@@ -17,8 +17,8 @@ pub(super) struct EqualScales {
 }
 
 impl EqualScales {
-    /// The largest scale at which all `points` (m) fit into the window. `border` is the width of the margins left and right, then above and below,
-    /// pixels.
+    /// The map with the largest scale at which all `points` (m) fit into the window. `border` is the width of the margins left and right, then above
+    /// and below, pixels.
     pub(super) fn new(
         window: Window,
         border: (f64, f64),
