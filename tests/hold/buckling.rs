@@ -216,3 +216,39 @@ fn a_tall_weight_on_soft_feet() {
         assert_eq!(grasp.hold(Wrench::force([0.0, -part * critical])).unwrap().left_out, None);
     }
 }
+
+/// A compressed spring of length L between two parts. The one is guided along a line and held across it with k; the other is a rod of length r on a
+/// pin, held with K across its end. With the thrust N, displacements a and b have the energy `½ k a² + ½ K b² - ½ N ((a - b)² / L + b² / r)`, so that
+/// the parts buckle where its determinant is zero. Which of the two parts the spring is named on first does not matter.
+#[test]
+fn a_compressed_spring_between_two_bodies_turns_with_its_ends() -> Result<(), Error> {
+    let (long, rod, across, at_rod): (f64, f64, f64, f64) = (0.05, 0.08, 2e3, 3e3);
+    let touch = |x: f64, stiffness: f64, part: &str| {
+        let of = |side: f64, name: &str| {
+            let finger = Contact::new([x, 0.01 * side], [0.0, -side]).series_stiffness(stiffness, stiffness);
+            finger.friction(0.0).pressed_with(1e-6).on(part).name(format!("{part} {name}"))
+        };
+        [of(1.0, "above"), of(-1.0, "below")]
+    };
+    // The determinant (k - N/L) (K - N/L - N/r) - (N/L)² is a quadratic in N.
+    let (square, linear) = (1.0 / (long * rod), -(at_rod + across) / long - across / rod);
+    let thrust = (-linear - (linear * linear - 4.0 * square * across * at_rod).sqrt()) / (2.0 * square);
+    for is_first in [true, false] {
+        let ends = ([0.0, 0.0], [long, 0.0]);
+        let (ends, parts) =
+            if is_first { (ends, ["ram", "rod"]) } else { ((ends.1, ends.0), ["rod", "ram"]) };
+        let grasp = Bodies::new([Body::new("ram"), Body::new("rod")])
+            .contacts(touch(0.0, 0.5 * across, "ram").into_iter().chain(touch(long, 0.5 * at_rod, "rod")))
+            .links([
+                Link::spring(ends.0, ends.1, STIFF).between(parts[0], parts[1]),
+                Link::hinge([long + rod, 0.0]).stiffness(STIFF).to_ground("rod"),
+            ])
+            .loaded("ram")
+            .grasp()?;
+        let held = grasp.hold(Wrench::force_at([2.0 * thrust, 0.0], [0.0, 0.0]))?;
+        let lost = held.lost.as_ref().unwrap();
+        assert_eq!(lost.too_far, Some(TooFar::Buckles), "{held}");
+        assert!((2.0 * lost.factor - 1.0).abs() < 1e-4, "{} {held}", 2.0 * lost.factor);
+    }
+    Ok(())
+}

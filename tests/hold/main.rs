@@ -13,6 +13,7 @@ mod payload;
 mod seals;
 mod slides_to_a_stop;
 mod small_motions;
+mod snap_through;
 mod suction;
 mod touching;
 mod turns_over;

@@ -18,7 +18,9 @@ use super::answer::Equilibrium;
 use super::contact_answer::{ContactAnswer, ContactState};
 use crate::grasp::{Engine, Hold, PointsOfAction, Site, Wrench, size_of};
 use crate::numerics::tolerances::NEGLIGIBLE;
-use crate::numerics::{IntoList, PositiveBand, Square, chosen, dot, mapped, matrix_of, symmetric_eigen};
+use crate::numerics::{
+    IntoList, PositiveBand, Square, Vector, chosen, dot, mapped, matrix_of, symmetric_eigen,
+};
 use crate::object::tangent_stiffness;
 use crate::prelude::*;
 use crate::words::LinkKind;
@@ -29,8 +31,8 @@ impl Engine {
     /// F are the contact forces in `rest`, and r their arms about the origin of twists, the centroid of the contacts. θ is the rotation in q, and ΔW
     /// the change of the load.
     ///
-    /// The fraction is negative if the forces lower the resistance. The geometric stiffness of the base load is not included. `None` if the size of
-    /// the fraction is at most a tenth, or for several bodies, or if `ΔW·q` is not positive.
+    /// The fraction is negative if the forces lower the resistance. The geometric stiffness of the base load is not included. `None` if the size of the
+    /// fraction is at most [`LEAST_FRACTION`], or for several bodies, or if `ΔW·q` is not positive.
     pub(crate) fn left_out_by_small_motions(
         &self,
         rest: &Equilibrium<3>,
@@ -49,9 +51,7 @@ impl Engine {
         let left_out = rotation.dot(
             &(self.stiffness_of_arms(0, self.origin(), &forces_in(&rest.contacts), &Wrench::ZERO) * rotation),
         );
-        // A fraction of the resistance up to a tenth is not returned. A smaller threshold would add a caution to ordinary verdicts; a larger
-        // threshold would hide a loss of stability until it is near.
-        (kept > 0.0).then(|| left_out / kept).filter(|part| part.abs() > 0.1)
+        (kept > 0.0).then(|| left_out / kept).filter(|part| part.abs() > LEAST_FRACTION)
     }
 
     /// Minus the largest fraction of the springs' resistance that the contact forces of an equilibrium take away, over all motions that springs
@@ -60,7 +60,6 @@ impl Engine {
     ///
     /// `None` if the size of the fraction is below [`LEAST_TAKEN`]. `None` also for a grasp with more than
     /// [`MOST_COORDINATES`].
-    /// Cables and springs between two bodies are treated as if they were infinitely long, so that their forces keep their directions.
     pub(crate) fn taken_by_forces(&self, there: &Equilibrium<3>, load: &Wrench<3>) -> Option<f64> {
         let (mut stable, mut unstable) = (0.0, 1.0 / LEAST_TAKEN);
         let stiffness =
@@ -116,7 +115,6 @@ impl Engine {
         is_open: &(dyn Fn(usize) -> bool + Sync),
         load: &Wrench<3>,
     ) -> Option<(Square, Square)> {
-        let size = size_of(self.sites());
         if !self.is_asked_for_buckling() {
             return None;
         }
@@ -127,8 +125,17 @@ impl Engine {
         if self.is_stable(&both, times) {
             return None;
         }
+        let (resisted, largest) = self.resisted_motions(&both.0);
+        both.1 = &(&resisted * &both.1) * &resisted;
+        add_to_free_motions(&mut both.0, (&resisted, largest));
+        (!self.is_stable(&both, times) && self.is_stable(&both, 0.0)).then_some(both)
+    }
+
+    /// The projection matrix on the motions that springs with the stiffness K resist, and the largest eigenvalue of K.
+    pub(super) fn resisted_motions(&self, stiffness: &Square) -> (Square, f64) {
+        let size = size_of(self.sites());
         let count = size.count();
-        let (values, motions) = symmetric_eigen(&matrix_of(count, count, &|i, j| both.0[(i, j)]));
+        let (values, motions) = symmetric_eigen(&matrix_of(count, count, &|i, j| stiffness[(i, j)]));
         let mut resisted = Square::zeros(size);
         for k in 0..count {
             resisted[(k, k)] = 1.0;
@@ -137,41 +144,26 @@ impl Engine {
             let motion = &motions.as_slice()[k * count..][..count];
             resisted.add_product(&mapped(motion, &|x| -x), motion);
         }
-        both.1 = &(&resisted * &both.1) * &resisted;
-        for j in 0..count {
-            for i in 0..count {
-                let of_free_motions = if i == j { 1.0 } else { 0.0 } - resisted[(i, j)];
-                both.0[(i, j)] += values[0] * of_free_motions;
-            }
-        }
-        (!self.is_stable(&both, times) && self.is_stable(&both, 0.0)).then_some(both)
+        (resisted, values[0])
     }
 
     /// Whether `K + t K_g` is positive definite for t = `times`, with the elastic stiffness K and the geometric stiffness K_g.
     fn is_stable(&self, (elastic, geometric): &(Square, Square), times: f64) -> bool {
-        let count = size_of(self.sites()).count();
-        let mut sum = PositiveBand::zeros(count, count - 1);
-        for j in 0..count {
-            (j..count).for_each(|i| sum.add(i, j, elastic[(i, j)] + times * geometric[(i, j)]));
-        }
-        sum.factor().is_some()
+        positive_factors(elastic.size().count(), &|i, j| elastic[(i, j)] + times * geometric[(i, j)])
+            .is_some()
     }
 
     /// The geometric stiffness of contact forces F in the engine's coordinates: for the rotation θ of each body `Σ [(F·r) |θ|² - (F·θ)(r·θ)]`.
-    /// The arms r of the forces are about the point to which the coordinates of the body refer. A rope to the ground with the pull T and the
-    /// length L adds `T |u|²/L` for the displacement u across the rope.
+    /// The arms r of the forces are about the point to which the coordinates of the body refer. A rope or spring with the pull T and the length L
+    /// adds `T |u|²/L` for the displacement u of one end relative to the other, across the rope.
     pub(crate) fn geometric_stiffness(&self, forces: &[SVector<f64, 3>], load: &Wrench<3>) -> Square {
         let mut stiffness = Square::zeros(size_of(self.sites()));
         let (axes, object) = (self.space().axes(), self.space().of_the_object());
         let (bodies, loads) = (self.bodies(), self.loads_of_bodies(load));
         for body in 0..bodies.map_or(1, |bodies| bodies.places.len()) {
-            let place = bodies.map(|bodies| &bodies.places[body]).filter(|place| place.first > 0);
-            let (first, centre) = place.map_or((0, self.origin()), |place| (place.first, &place.centre));
-            let length = |k: usize| match (self.linkage(), first) {
-                (None, _) | (_, 0) => self.length(),
-                (Some(linkage), _) => linkage.lengths[first + axes + k],
-            };
-            let of_body = self.stiffness_of_arms(body, centre, forces, &loads[body]);
+            let (first, centre) = self.reference_of(body);
+            let length = |k: usize| self.rotation_length(first, k);
+            let of_body = self.stiffness_of_arms(body, &centre, forces, &loads[body]);
             let axis = |k: usize| if axes == 3 { k } else { 2 };
             for (k, l) in (0..object - axes).flat_map(|k| (0..object - axes).map(move |l| (k, l))) {
                 stiffness[(first + axes + k, first + axes + l)] =
@@ -181,18 +173,52 @@ impl Engine {
         for (i, force) in forces.iter().enumerate() {
             let (Some(length), site) = (self.rope(i), &self.sites()[i]) else { continue };
             let pull = force.dot(&site.frame.column(0).into_owned());
-            for across in [1, 2].map(|axis| site.map.column(axis)) {
+            for across in [1, 2].map(|axis| self.across(i, axis)) {
                 stiffness.add_product((&across * (pull / length)).as_slice(), across.as_slice());
             }
         }
         stiffness
     }
 
-    /// The length, m, of a rope or spring to the ground; `None` for other contacts and drives.
+    /// The displacement of a rope's or spring's first end relative to its other end, along an axis of its frame, per unit of each coordinate. The grasp
+    /// map takes the second body's displacement at the first end.
+    pub(crate) fn across(&self, site: usize, axis: usize) -> Vector {
+        let mut across = self.sites()[site].map.column(axis);
+        let Some(body) = self.bodies().and_then(|bodies| bodies.sides[site].1) else { return across };
+        let (first, _) = self.reference_of(body);
+        let along = self.sites()[site].frame.column(axis).into_owned();
+        let moments = self.space().wrench_of(&self.contacts()[site].normal, &along);
+        for k in 0..self.space().planes().len() {
+            let at = self.space().axes() + k;
+            across[first + at] -= moments[at] / self.rotation_length(first, k);
+        }
+        across
+    }
+
+    /// The length, m, of a rope or spring between two points; `None` for other contacts and drives.
     pub(crate) fn rope(&self, site: usize) -> Option<f64> {
         let contact = self.contacts().get(site)?;
-        let is_rope = matches!(contact.link, Some(LinkKind::Cable | LinkKind::Spring));
-        (is_rope && contact.against.is_none()).then(|| contact.normal.norm())
+        matches!(contact.link, Some(LinkKind::Cable | LinkKind::Spring)).then(|| contact.normal.norm())
+    }
+
+    /// The point at which the force of a contact acts on the body on its other side, m: the contact point, or the other end of a rope or spring.
+    pub(super) fn far_end(&self, site: usize) -> SVector<f64, 3> {
+        let contact = &self.contacts()[site];
+        if self.rope(site).is_some() { contact.point + contact.normal } else { contact.point }
+    }
+
+    /// The index of the first coordinate of a body, and the point to which its coordinates refer, m.
+    pub(super) fn reference_of(&self, body: usize) -> (usize, SVector<f64, 3>) {
+        let place = self.bodies().map(|bodies| &bodies.places[body]).filter(|place| place.first > 0);
+        place.map_or((0, *self.origin()), |place| (place.first, place.centre))
+    }
+
+    /// The length, m, by which the rotation k of a body is multiplied in its coordinates; `first` is the index of the body's first coordinate.
+    pub(super) fn rotation_length(&self, first: usize, k: usize) -> f64 {
+        match (self.linkage(), first) {
+            (None, _) | (_, 0) => self.length(),
+            (Some(linkage), _) => linkage.lengths[first + self.space().axes() + k],
+        }
     }
 
     /// The symmetric matrix M of a body's rotation θ with `θ·Mθ = Σ [(F·r) |θ|² - (F·θ)(r·θ)]`, N m. F are the contact forces on the body and the
@@ -208,7 +234,8 @@ impl Engine {
         let mut sum = PointsOfAction::NO_FORCE;
         for (i, (contact, force)) in self.contacts().iter().zip(forces).enumerate() {
             let sign = self.bodies().map_or(1.0, |bodies| bodies.sign(i, body));
-            sum = sum.moved(&(force * sign), &(contact.point - centre));
+            let point = if sign < 0.0 { self.far_end(i) } else { contact.point };
+            sum = sum.moved(&(force * sign), &(point - centre));
         }
         let load = load.points_of_action().moved(&load.force_part(), &-centre);
         [sum, load].iter().filter_map(|points| points.stiffness()).sum()
@@ -228,12 +255,34 @@ pub(crate) fn forces_in(contacts: &[ContactAnswer<3>]) -> Vec<SVector<f64, 3>> {
 /// If larger, each equilibrium takes longer, as the cube of this number. If smaller, stacks and linkages that buckle are said to hold.
 const MOST_COORDINATES: usize = 120;
 
+/// Largest fraction of the resistance to a motion of which answers say nothing if small motions leave it out.
+///
+/// A smaller value would add a caution to ordinary verdicts; a larger value would hide a loss of stability until it is near.
+pub(super) const LEAST_FRACTION: f64 = 0.1;
+
 /// The least size of the fraction that [`Engine::taken_by_forces`] returns. A smaller value would add a caution to ordinary squeezes of soft fingers;
 /// a larger value would leave too little reserve before the grasp buckles.
 const LEAST_TAKEN: f64 = 0.5;
 
+/// Adds the stiffness `largest` to the stiffness matrix along the motions that springs do not resist; `resisted` is the projection on all others.
+pub(super) fn add_to_free_motions(stiffness: &mut Square, (resisted, largest): (&Square, f64)) {
+    let count = stiffness.size().count();
+    for (i, j) in (0..count).flat_map(|j| (0..count).map(move |i| (i, j))) {
+        stiffness[(i, j)] += largest * (if i == j { 1.0 } else { 0.0 } - resisted[(i, j)]);
+    }
+}
+
+/// The Cholesky factors of a symmetric matrix; `None` unless it is positive definite.
+pub(super) fn positive_factors(count: usize, entry: &dyn Fn(usize, usize) -> f64) -> Option<PositiveBand> {
+    let mut factors = PositiveBand::zeros(count, count - 1);
+    for j in 0..count {
+        (j..count).for_each(|i| factors.add(i, j, entry(i, j)));
+    }
+    factors.factor().map(|()| factors)
+}
+
 /// The stiffness of a contact that sticks, or of a drive that holds; without friction it resists along its normal alone.
-fn sticking_springs(site: &Site) -> SMatrix<f64, 3, 3> {
+pub(super) fn sticking_springs(site: &Site) -> SMatrix<f64, 3, 3> {
     let resists = if site.hold != Hold::Bonded && site.friction.is_frictionless() { 1 } else { 3 };
     let mut stiffness: SMatrix<f64, 3, 3> = SMatrix::zeros();
     for axis in 0..resists {

@@ -51,6 +51,7 @@ mod questions;
 mod recomputed;
 mod refutation;
 mod residuals;
+mod snap_through;
 mod sticking_response;
 mod tolerances;
 mod too_far;

@@ -68,7 +68,8 @@ pub enum TooFar {
         cup: WholeContact,
     },
     /// The grasp buckles: forces turn with the parts on which they act, and in some motion this lowers the stiffness by more than the springs
-    /// provide.
+    /// provide. The grasp also buckles if it snaps through, as a toggle does before its dead centre: with finite rotations of its parts, no equilibrium
+    /// leads from no load to this load.
     Buckles,
 }
 

@@ -46,10 +46,11 @@ impl Engine {
         }
         let (joints, tendons) = self.hand_answers(problem, &found);
         let leaks = || self.leaking_cup(&|i| found.states[i].is_open()).map(|cup| TooFar::Leaks { cup });
-        let too_far = if self.buckles_in(&contacts, load) {
+        let standing = MotionData::found(problem, &found);
+        let too_far = if self.buckles_in(&contacts, load) || self.snaps_through(&standing, load) {
             Some(TooFar::Buckles)
         } else {
-            leaks().or_else(|| self.farthest_beyond(&small, &MotionData::found(problem, &found)))
+            leaks().or_else(|| self.farthest_beyond(&small, &standing))
         };
         Equilibrium {
             load: *load,

@@ -44,6 +44,11 @@ impl PointsOfAction {
         self.map(|sum| turn * sum * turn.transpose())
     }
 
+    /// The sum V after the body has turned by the matrix `rotation` about the origin, while the forces keep their directions.
+    pub(crate) fn turned(self, rotation: &SMatrix<f64, 3, 3>) -> Self {
+        self.map(|sum| sum * rotation.transpose())
+    }
+
     /// The sum V if all forces are multiplied by `factor`.
     pub(crate) fn times(self, factor: f64) -> Self {
         // A load of zero has no forces, and V is zero, even if the points of action of the whole load are not known.

@@ -70,7 +70,10 @@ impl Engine {
         let most = settings.small_motions.rotation;
         let turns_little = self.each_moves(&sway).iter().all(|body| body.twist.parts().1.size() <= most);
         let leans_little = |i: usize| {
-            self.rope(i).is_none_or(|length| self.sites()[i].map.tr_mul(&sway).norm() <= most * length)
+            let lean = |length: f64| {
+                [1, 2].map(|axis| self.across(i, axis).dot(&sway)).map(|x| x.abs() <= most * length)
+            };
+            self.rope(i).is_none_or(|length| lean(length) == [true; 2])
         };
         let rounding = NEGLIGIBLE * sway.norm();
         let seen = sway.map(|x| if x.abs() > rounding { x } else { 0.0 });

@@ -62,8 +62,9 @@ pub struct Verdict<const C: usize> {
     ///
     /// A second number replaces this fraction if it is lower and at most -0.5. It is minus the largest fraction of the springs' resistance to any
     /// motion that the forces under the whole load take away. At -1 the grasp buckles. If the points of action of the load are known, the verdict
-    /// ends there, with [`TooFar::Buckles`]. `None` if the fraction is between -0.1 and 0.1 and the second number above -0.5, and if the grasp
-    /// buckles before the whole load acts.
+    /// ends there, with [`TooFar::Buckles`]. A third number replaces both if it is lower: `W·q / W·q' - 1`, where W is the whole load, q the motion
+    /// under it, and q' this motion with finite rotations of all parts, as those of a toggle near its dead centre. `None` if all are small, and if the
+    /// grasp buckles before the whole load acts.
     #[cfg_attr(
         feature = "serde",
         serde(default, skip_serializing_if = "Option::is_none", with = "AsComputed::<Option<f64>>")
