@@ -167,6 +167,7 @@ fn number_of_motion(motion: LossVerb) -> u8 {
         LossVerb::GoesTooFar => 7,
         LossVerb::Buckles => 8,
         LossVerb::Leaks => 9,
+        LossVerb::TurnsOver => 10,
         _ => 6,
     }
 }

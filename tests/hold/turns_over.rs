@@ -1,17 +1,18 @@
 //! If no contact resists a rotation, the point of action of the load decides about stability. A part that is pinched above its centre of mass hangs.
 //! A part that is pinched below it turns over. A load to the side swings what hangs by the angle whose tangent is the force over the weight.
 
-use grasp_lcp::hold::{Holding, Verdict};
-use grasp_lcp::load_path::Ramp;
+use grasp_lcp::equilibrium::TooFar;
+use grasp_lcp::hold::{Holding, LossVerb, ShortVerdict, Verdict};
+use grasp_lcp::load_path::{Leg, Ramp};
 use grasp_lcp::nalgebra::{Isometry3, Vector3};
-use grasp_lcp::planar;
 use grasp_lcp::spatial::{Contact, Grasp, Wrench};
+use grasp_lcp::{Settings, planar};
 use proptest::prelude::*;
 
 type Tested = Result<(), grasp_lcp::Error>;
 
 fn turns_over<const C: usize>(verdict: &Verdict<C>) -> bool {
-    let is_told = verdict.to_string().starts_with("TURNS OVER: ");
+    let is_told = verdict.to_string().starts_with("TURNS OVER");
     assert_eq!(matches!(verdict.holding, Holding::TurnsOver { .. }), is_told, "{verdict}");
     assert_eq!(verdict.holds(), Some(!is_told), "{verdict}");
     is_told
@@ -131,4 +132,45 @@ fn bodies_on_a_hinge() -> Tested {
         }
     }
     Ok(())
+}
+
+/// A weight of 10 N hangs at the depth d below the line through the fingers, and a load F is put on at the height h above it: it turns over beyond `F h
+/// = 10 N d`, whatever is asked.
+#[test]
+fn a_load_on_top_of_what_hangs_turns_it_over() -> Tested {
+    let (depth, height) = (0.02, 0.05);
+    let (weight, limit) = (Wrench::force_at([0.0, 0.0, -10.0], [0.0, 0.0, -depth]), 10.0 * depth / height);
+    let top = |force: f64| Wrench::force_at([0.0, 0.0, -force], [0.0, 0.0, height]);
+    let grasp = Grasp::new(pinch())?;
+    for part in [0.5, 0.99, 1.01, 4.0] {
+        let (load, is_over) = (top(part * limit), part > 1.0);
+        let far = is_over.then_some(TooFar::TurnsOver);
+        let verdict = grasp.hold(Ramp::load(weight, load))?;
+        assert_eq!(turns_over_at(&verdict), is_over, "{verdict}");
+        // Rounding of the forces that press, 100 N, hides a geometric stiffness a billion times smaller.
+        assert!((verdict.held_to * part - 1.0).abs() < 1e-6, "{verdict}");
+        let ShortVerdict { motion, held_to, .. } = ShortVerdict::from(&verdict);
+        assert_eq!((motion, held_to), (Some(LossVerb::TurnsOver), verdict.held_to));
+        let row = |_: usize, contacts: &mut Vec<Contact>| {
+            contacts.extend(pinch());
+            [weight, load]
+        };
+        let brief = Grasp::hold_batch(1, &row, &Settings::default()).remove(0)?;
+        assert_eq!((brief.motion, brief.holds()), (motion, Some(!is_over)));
+        assert_eq!(grasp.statics().shakedown(weight, &[load])?.unwrap().too_far, far);
+        assert_eq!(grasp.solve(weight + load)?.equilibrium().unwrap().too_far, far);
+        let mut path = grasp.follow(weight, &[Leg::load_by(load)])?;
+        path.run();
+        let end = path.end_of_theory();
+        assert_eq!(end.as_ref().map(|end| end.what.clone()), far);
+        assert!(end.is_none_or(|end| (end.fraction * part - 1.0).abs() < 1e-6));
+        assert_eq!(grasp.shake(weight, &Leg::there_and_back(load))?.too_far, far);
+    }
+    Ok(())
+}
+
+fn turns_over_at(verdict: &Verdict<3>) -> bool {
+    let is_told = verdict.to_string().starts_with("TURNS OVER at ");
+    assert_eq!(verdict.holds(), Some(!is_told), "{verdict}");
+    is_told
 }

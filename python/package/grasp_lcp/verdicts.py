@@ -59,6 +59,7 @@ class LossMotion(IntEnum):
     GOES_TOO_FAR = 7
     BUCKLES = 8
     LEAKS = 9
+    TURNS_OVER = 10
     NONE = 255
     """The load is not lost up to where it was followed."""
 

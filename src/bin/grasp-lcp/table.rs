@@ -36,8 +36,7 @@ pub(crate) fn table(out: &mut dyn Write, style: Style, state: &Equilibrium<3>, s
     writeln!(out, "  {}, residual {residual}", state.motion_sentences(style.words).join("\n  "))?;
     state.free_motion_sentences(style.words).iter().try_for_each(|free| writeln!(out, "  {free}"))?;
     let is_new = |far: &&TooFar| {
-        let is_motion = !matches!(far, TooFar::Leaks { .. } | TooFar::Buckles);
-        !said.contains(&if is_motion { format!("{far:.digits$}") } else { far.reason(style.words) })
+        !said.contains(&if far.is_motion() { format!("{far:.digits$}") } else { far.reason(style.words) })
     };
     let caution = state.too_far.as_ref().filter(is_new).map(|far| far.caution(style.words));
     state.vacuum_gone().into_iter().chain(caution).try_for_each(|note| writeln!(out, "  CAUTION: {note}"))

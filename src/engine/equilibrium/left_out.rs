@@ -74,7 +74,7 @@ impl Engine {
 
     /// Whether the grasp buckles under the contact forces `forces`, N, along the coordinate axes, and the load `load`. It buckles if `K + K_g` is not
     /// positive definite on the motions that springs resist, with the stiffness K and the geometric stiffness K_g. Stability along all other motions
-    /// is decided in `hold/driven_on`.
+    /// is decided in `turns_over`.
     pub(crate) fn buckles(
         &self,
         forces: &[SVector<f64, 3>],

@@ -55,6 +55,7 @@ mod snap_through;
 mod sticking_response;
 mod tolerances;
 mod too_far;
+mod turns_over;
 mod write_out;
 
 pub use crate::search::{Doubt, FoundBy, Settings, SmallMotions};
@@ -66,7 +67,6 @@ pub use contact_answer::{ContactAnswer, ContactState};
 pub use decomposition::Decomposition;
 pub use hand_answer::{DriveState, JointAnswer, TendonAnswer};
 pub(crate) use influence::{Influence, push};
-pub(crate) use left_out::forces_in;
 pub use no_equilibrium::{NoEquilibrium, Proof};
 pub use pad_answer::{PadAnswer, WholeAnswer};
 pub use parameter::Parameter;

@@ -71,6 +71,9 @@ pub enum TooFar {
     /// provide. The grasp also buckles if it snaps through, as a toggle does before its dead centre: with finite rotations of its parts, no equilibrium
     /// leads from no load to this load.
     Buckles,
+    /// The object turns over: every contact holds, but no spring resists a rotation along which forces drive the object on. Only loads whose points of
+    /// action are known are checked; see [`Wrench`](crate::planar::Wrench::force_at).
+    TurnsOver,
 }
 
 /// The sentence for a suction cup whose lip is open at some of its points.
@@ -78,6 +81,9 @@ pub(crate) const AIR_FLOWS_IN: &str = "air flows in where the lip opens";
 
 /// The sentence for a grasp that buckles.
 const TAKES_ALL: &str = "as the forces turn with the parts they act on, they take all that resists";
+
+/// The sentence for an object that turns over.
+const DRIVEN_ON: &str = "every contact holds, but nothing resists a rotation, and the load drives it on unless round surfaces roll there";
 
 /// Writes the body or contact and its motion, for example "it turns by more than 5.7°", "left slips by more than 4 mm".
 impl fmt::Display for TooFar {
@@ -88,24 +94,38 @@ impl fmt::Display for TooFar {
             Self::Slips { contact, .. } | Self::Opens { contact, .. } | Self::Leaks { cup: contact } => {
                 contact.text()
             }
-            Self::Buckles => "it".into(),
+            Self::Buckles | Self::TurnsOver => "it".into(),
         };
         write!(f, "{name} {}", self.verb_phrase(Words::of(f)))
     }
 }
 
 impl TooFar {
-    /// Whether this is a motion beyond its limit. False for buckling and for the leak of a suction cup: with either the grasp fails even if all
+    /// Whether this is a motion beyond its limit. False for buckling, turning over and the leak of a suction cup: with each the grasp fails even if all
     /// motions are small.
-    pub(crate) fn is_motion(&self) -> bool {
-        !matches!(self, Self::Buckles | Self::Leaks { .. })
+    #[must_use]
+    pub fn is_motion(&self) -> bool {
+        !self.is_unstable() && !matches!(self, Self::Leaks { .. })
     }
 
-    /// The text that follows a [verb](crate::hold::LossVerb) such as "BUCKLES: " and explains it. For buckling it says that forces which turn with
-    /// their parts take away all stiffness. Otherwise the text of [`Self::caution`].
+    /// Whether the equilibrium is not stable: the grasp buckles, or the object turns over.
+    pub(crate) fn is_unstable(&self) -> bool {
+        self.why_unstable().is_some()
+    }
+
+    fn why_unstable(&self) -> Option<&'static str> {
+        match self {
+            Self::Buckles => Some(TAKES_ALL),
+            Self::TurnsOver => Some(DRIVEN_ON),
+            _ => None,
+        }
+    }
+
+    /// The text that follows a [verb](crate::hold::LossVerb) such as "BUCKLES: " and explains it. For buckling and turning over it says why the
+    /// equilibrium is not stable. Otherwise the text of [`Self::caution`].
     #[must_use]
     pub fn reason(&self, words: Words) -> String {
-        if *self == Self::Buckles { TAKES_ALL.to_owned() } else { self.caution(words) }
+        self.why_unstable().map_or_else(|| self.caution(words), ToOwned::to_owned)
     }
 
     /// The caution for answers beyond small motions: "left slips by more than 4 mm: results for small motions no longer apply".
@@ -115,8 +135,7 @@ impl TooFar {
         if let Self::Leaks { cup } = self {
             return format!("{AIR_FLOWS_IN}, at {}", listed(slice::from_ref(cup)));
         }
-        let why =
-            if *self == Self::Buckles { TAKES_ALL } else { "results for small motions no longer apply" };
+        let why = self.why_unstable().unwrap_or("results for small motions no longer apply");
         format!("{self:.digits$}: {why}")
     }
 
@@ -133,6 +152,7 @@ impl TooFar {
             Self::Opens { limit, .. } => format!("opens by more than {}", words.length(*limit)),
             Self::Leaks { .. } => "leaks".to_owned(),
             Self::Buckles => "buckles".to_owned(),
+            Self::TurnsOver => "turns over".to_owned(),
         }
     }
 }

@@ -5,10 +5,12 @@ use nalgebra::{SMatrix, SVector};
 use super::answer::{Equilibrium, LocalAnswer, WorkDone};
 use super::cone::{AnswerFor, Cone};
 use super::contact_answer::{ContactAnswer, ContactState};
+use super::left_out::forces_in;
 use super::too_far::{MotionData, TooFar};
 use crate::contact::{LocalLaw, Mode, State, ZERO_SLACK};
 use crate::forms::{OmissionReason, OmittedPairs};
 use crate::grasp::{Contact, Coordinates, Engine, Hold, Stiffness, Twist, Wrench};
+use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::numerics::{IntoList, Vector, by_axis, mapped};
 use crate::object::Problem;
 use crate::prelude::*;
@@ -49,6 +51,10 @@ impl Engine {
         let standing = MotionData::found(problem, &found);
         let too_far = if self.buckles_in(&contacts, load) || self.snaps_through(&standing, load) {
             Some(TooFar::Buckles)
+        } else if !contacts.iter().any(|contact| self.just_touches(contact))
+            && self.driven_along(&found.free_motions, &forces_in(&contacts), load).is_some()
+        {
+            Some(TooFar::TurnsOver)
         } else {
             leaks().or_else(|| self.farthest_beyond(&small, &standing))
         };
@@ -92,6 +98,12 @@ impl Engine {
                 cones: problem.cones.clone(),
             },
         }
+    }
+
+    /// Whether a contact is open with a gap within rounding of zero. It resists motions towards it, which count as free. At the load at which an object
+    /// tips over, the contact that opens is such a contact.
+    fn just_touches(&self, contact: &ContactAnswer<3>) -> bool {
+        contact.state == ContactState::Separated && contact.gap <= NEGLIGIBLE * self.length()
     }
 
     pub(super) fn left_out(

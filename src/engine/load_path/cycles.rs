@@ -191,7 +191,7 @@ impl<'g> Cycles<'g> {
             // Slips change the contact forces from cycle to cycle, so that the grasp may buckle in a later cycle. This is checked at the end of each
             // cycle.
             let state = self.path.state();
-            self.too_far = state.and_then(|state| state.too_far).filter(|far| *far == TooFar::Buckles);
+            self.too_far = state.and_then(|state| state.too_far).filter(TooFar::is_unstable);
         }
         self.end().is_none().then_some(())?;
         let first = (self.completed - 1) * self.legs.len();

@@ -1,7 +1,7 @@
 //! The point on a load path from which on the theory of small motions no longer applies: some motion is too large, a suction cup leaks, or the
 //! grasp buckles. A leg is a section of the load program; at rest means in the equilibrium from which the path starts.
 
-use super::event::Event;
+use super::event::{Event, PathEnd};
 use super::following::AnyPath;
 use super::path::LoadPath;
 use super::small_motions::EndOfSmallMotions;
@@ -32,13 +32,16 @@ pub(super) fn end_of_theory<const C: usize>(
     far: Option<&EndOfSmallMotions>,
 ) -> Option<EndOfSmallMotions> {
     let end = far.map_or(path.place(), |far| (far.leg, far.fraction));
-    let buckling = buckling(path, end).filter(|at| far.is_none() || (at.leg, at.fraction) < end);
-    buckling.or_else(|| far.cloned())
+    let unstable = unstable_from(path, end).filter(|at| far.is_none() || (at.leg, at.fraction) < end);
+    unstable.or_else(|| far.cloned())
 }
 
 /// The point of the path, to nine digits, from which on the grasp buckles. Buckling is checked at rest, at the end of each leg and at the point `end`,
 /// wherever the points of action of the load are known. Along a load that turns it is checked in between, too.
-fn buckling<const C: usize>(path: &dyn AnyPath<C, Event<C>>, end: (usize, f64)) -> Option<EndOfSmallMotions> {
+fn unstable_from<const C: usize>(
+    path: &dyn AnyPath<C, Event<C>>,
+    end: (usize, f64),
+) -> Option<EndOfSmallMotions> {
     let load = |leg: usize, fraction: f64| path.state_at(leg, fraction).map(|state| state.load);
     let turns = |leg: usize, to: f64| {
         let loads = (load(leg, 0.0), load(leg, 0.5 * to), load(leg, to));
@@ -54,10 +57,11 @@ fn buckling<const C: usize>(path: &dyn AnyPath<C, Event<C>>, end: (usize, f64)) 
         places.extend((1..=parts).map(|k| (leg, to * f64::from(k) / f64::from(parts))));
     }
     places.dedup();
-    let buckles = |place: &(usize, f64)| {
-        path.state_at(place.0, place.1).is_some_and(|state| state.too_far == Some(TooFar::Buckles))
+    let unstable = |place: &(usize, f64)| {
+        path.state_at(place.0, place.1).and_then(|state| state.too_far).filter(TooFar::is_unstable)
     };
-    let first = places.iter().position(buckles)?;
+    let (first, mut what) =
+        places.iter().enumerate().find_map(|(first, place)| Some((first, unstable(place)?)))?;
     let (leg, mut to) = places[first];
     let mut from = match first.checked_sub(1).map(|before| places[before]) {
         None => to,
@@ -66,10 +70,23 @@ fn buckling<const C: usize>(path: &dyn AnyPath<C, Event<C>>, end: (usize, f64)) 
     };
     while to - from > NEGLIGIBLE * to && to > NEGLIGIBLE {
         let middle = 0.5 * (from + to);
-        *(if buckles(&(leg, middle)) { &mut to } else { &mut from }) = middle;
+        match unstable(&(leg, middle)) {
+            Some(why) => (to, what) = (middle, why),
+            None => from = middle,
+        }
     }
-    Some(EndOfSmallMotions { leg, fraction: from, what: TooFar::Buckles })
+    // At a loss of equilibrium contacts without a force no longer resist some motion. The loss says more than an instability there.
+    let at_the_loss = path.end().and_then(PathEnd::loss).is_some() && leg == end.0;
+    (!at_the_loss || from < end.1 * (1.0 - AT_THE_LOSS)).then_some(EndOfSmallMotions {
+        leg,
+        fraction: from,
+        what,
+    })
 }
+
+/// An instability that begins within this fraction of a leg before a loss of equilibrium counts as the loss. If smaller, rounding of contact forces
+/// that vanish at the loss is taken for an instability; if larger, the end of the path is a little less safe than it says.
+const AT_THE_LOSS: f64 = 1e-6;
 
 /// Number of parts into which a leg with a turning load is divided; buckling is checked at the end of each part. With fewer parts, a range of angles
 /// in which the grasp buckles could be missed; with more parts, answers about turning loads take longer.

@@ -9,7 +9,7 @@ use core::mem::{Discriminant, discriminant};
 use nalgebra::SVector;
 
 use crate::contact::{Polygon, State};
-use crate::equilibrium::{ContactAnswer, ContactState, Equilibrium, Outcome, Proof, TooFar};
+use crate::equilibrium::{ContactAnswer, ContactState, Equilibrium, Outcome, Proof};
 use crate::error::{Error, is_moderate};
 use crate::grasp::{Coordinates, Engine, Wrench};
 use crate::load_path::{Event, Leg, LoadPath, Loss, PathEnd, Ramp};
@@ -139,8 +139,10 @@ impl Engine {
         };
         let too_far = self.end_of_theory(&path, ramp);
         let end = too_far.as_ref().map_or(path.place(), |far| (far.leg, far.fraction));
-        let buckles = too_far.as_ref().is_some_and(|far| far.what == TooFar::Buckles);
-        let state = state.filter(|_| !buckles || end.0 > 0);
+        // If the object turns over under the whole load, too, the verdict says along which motion, with the forces there.
+        let turns_over = state.as_ref().and_then(|state| self.driven_on(state, &ramp.load_at(1.0)));
+        let unstable = too_far.as_ref().is_some_and(|far| far.what.is_unstable());
+        let state = state.filter(|_| !unstable || end.0 > 0 || turns_over.is_some());
         let held_to = reached(end);
         // If first slip causes a jump whose motion is not small, small motions end at the load factor of first slip. If the computed load factor of
         // first slip exceeds that of the end of small motions by rounding only, first slip still counts.
@@ -150,7 +152,7 @@ impl Engine {
         let while_on = state.is_some().then(|| path.everything_slides_from((1, 0.0))).flatten();
         let everything_slides = while_on.or_else(|| path.everything_slides_from(end)).map(reached);
         let holding = match &state {
-            Some(state) => match self.driven_on(state, &ramp.load_at(1.0)) {
+            Some(state) => match turns_over {
                 Some(motion) => Holding::TurnsOver { motion },
                 None => self.holding(state, &events, first_slip.as_ref()),
             },
@@ -208,7 +210,7 @@ impl Engine {
         let there = state.as_ref().or_else(|| verdict.lost.as_ref()?.state.as_deref());
         let by_all = self.left_out_of(ramp, rest.as_ref(), there, held_to);
         // A grasp that buckles before the whole load acts is not also reported as near to buckling.
-        verdict.left_out = by_all.filter(|_| state.is_some() || !buckles);
+        verdict.left_out = by_all.filter(|_| state.is_some() || !unstable);
         self.let_swing(&mut verdict, ramp, settings);
         verdict.caught = CaughtJump::among(self.wholes(), &events);
         verdict.state = state.map(Box::new);

@@ -29,12 +29,12 @@
 
 mod applied_load;
 mod caught_jump;
-mod driven_on;
 mod face;
 mod first_slip;
 mod in_slips;
 mod loss;
 mod short_verdict;
+mod swing;
 mod verdict;
 mod way_out;
 mod way_out_words;

@@ -90,6 +90,8 @@ pub enum LossVerb {
     Buckles,
     /// Air flows into a suction cup where its lip opens.
     Leaks,
+    /// No spring resists a rotation along which forces drive the object on.
+    TurnsOver,
 }
 
 impl ShortVerdict {
@@ -188,6 +190,7 @@ impl From<&TooFar> for LossVerb {
     fn from(far: &TooFar) -> Self {
         match far {
             TooFar::Buckles => Self::Buckles,
+            TooFar::TurnsOver => Self::TurnsOver,
             TooFar::Leaks { .. } => Self::Leaks,
             _ => Self::GoesTooFar,
         }
@@ -208,6 +211,7 @@ impl fmt::Display for LossVerb {
             Self::GoesTooFar => "GOES TOO FAR",
             Self::Buckles => "BUCKLES",
             Self::Leaks => "LEAKS",
+            Self::TurnsOver => "TURNS OVER",
         })
     }
 }

@@ -19,6 +19,9 @@ use crate::words::{LinkKind, MOST_NAMES, Words, listed, open, opens, printable};
 /// Appended to the sentence if motions pass the limit of small motions.
 const NO_LONGER_SMALL: &str = "; beyond this, results for small motions no longer apply";
 
+/// An object that turns over under this fraction of the load turns over at once: under smaller loads, rounding of the forces at rest decides.
+const AT_ONCE: f64 = 1e-6;
+
 /// The clause about contact forces that turn with the parts they act on. By turning they add to the resistance of the springs or take from it. `part`
 /// is the change as a fraction of this resistance ([`Verdict::left_out`]). If the fraction f is taken away, motions are up to 1/(1 - f) times as
 /// large.
@@ -111,9 +114,11 @@ impl<const C: usize> fmt::Display for Verdict<C> {
             }
             Holding::TurnsOver { motion } => {
                 let motion = words.direction_of(motion);
+                let from = self.lost.as_ref().map(|lost| lost.factor).filter(|from| *from > AT_ONCE);
+                let at = from.map_or_else(String::new, |from| format!(" at {}", self.part(from, words)));
                 write!(
                     f,
-                    "TURNS OVER: every contact holds, but nothing resists {motion}, and the load drives this on unless round surfaces roll there"
+                    "TURNS OVER{at}: every contact holds, but nothing resists {motion}, and the load drives this on unless round surfaces roll there"
                 )
             }
             Holding::Loose => {

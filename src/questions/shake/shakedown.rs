@@ -139,19 +139,23 @@ impl Engine {
         let around_the_round_cone = settings.is_round(self.space());
         let limit = settings.small_motions.slip * self.size_of_grasp();
         let far = (0..self.len()).find(|i| residual_slips[*i].norm() > limit);
-        // Buckling is asked under the base load and under each load, while everything sticks.
-        let buckles = |of_load: Option<(&Vec<SVector<f64, 3>>, &Wrench<3>)>| {
+        // Stability is asked under the base load and under each load, while everything sticks.
+        let free = sticking.linear_problem.free_motions();
+        let unstable = |of_load: Option<(&Vec<SVector<f64, 3>>, &Wrench<3>)>| {
             let load = of_load.map_or(*base, |(_, load)| *base + *load);
             let force = |(i, site): (usize, &Site)| {
                 site.frame * (rest.of[i] + of_load.map_or_else(SVector::zeros, |(under, _)| under[i]))
             };
-            self.may_buckle(&load) && self.buckles(&indexed(self.sites(), &force), &|_| false, &load)
+            let forces = indexed(self.sites(), &force);
+            if self.may_buckle(&load) && self.buckles(&forces, &|_| false, &load) {
+                return Some(TooFar::Buckles);
+            }
+            self.driven_along(free, &forces, &load).map(|_| TooFar::TurnsOver)
         };
-        let too_far = if buckles(None) || under.iter().zip(given).any(|pair| buckles(Some(pair))) {
-            Some(TooFar::Buckles)
-        } else {
-            far.map(|i| TooFar::Slips { contact: self.wholes().at(i).with(1), limit })
-        };
+        let under_loads = || under.iter().zip(given).find_map(|pair| unstable(Some(pair)));
+        let too_far = unstable(None)
+            .or_else(under_loads)
+            .or_else(|| far.map(|i| TooFar::Slips { contact: self.wholes().at(i).with(1), limit }));
         Ok(Some(Shakedown {
             factor,
             slips: residual_slips,

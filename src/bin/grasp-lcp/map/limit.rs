@@ -24,6 +24,8 @@ pub(crate) enum LimitEnd {
     TooFar,
     /// The grasp buckles.
     Buckles,
+    /// Nothing resists a rotation along which forces drive the object on.
+    TurnsOver,
     /// Air flows into a suction cup where its lip opens.
     Leaks,
     /// An equilibrium exists along the whole path, up to the largest force to which paths are followed.
@@ -33,7 +35,7 @@ pub(crate) enum LimitEnd {
 }
 
 impl LimitEnd {
-    pub(crate) const ALL: [Self; 10] = [
+    pub(crate) const ALL: [Self; 11] = [
         Self::Limit,
         Self::Snap,
         Self::Ends,
@@ -41,6 +43,7 @@ impl LimitEnd {
         Self::GivesWay,
         Self::TooFar,
         Self::Buckles,
+        Self::TurnsOver,
         Self::Leaks,
         Self::Held,
         Self::Unknown,
@@ -55,6 +58,7 @@ impl LimitEnd {
             Self::GivesWay => "nothing resists",
             Self::TooFar => "motions are no longer small",
             Self::Buckles => "buckles",
+            Self::TurnsOver => "turns over",
             Self::Leaks => "a suction cup leaks",
             Self::Held => "held",
             Self::Unknown => "not known",
@@ -93,6 +97,7 @@ pub(crate) fn last<const C: usize>(
         (end, Some(far)) if end.and_then(PathEnd::fraction).is_none_or(|end| far.fraction < end) => {
             let end = match far.what {
                 TooFar::Buckles => LimitEnd::Buckles,
+                TooFar::TurnsOver => LimitEnd::TurnsOver,
                 TooFar::Leaks { .. } => LimitEnd::Leaks,
                 _ => LimitEnd::TooFar,
             };

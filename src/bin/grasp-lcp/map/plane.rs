@@ -155,6 +155,7 @@ impl Drawing<'_> {
             (LimitEnd::GivesWay, "… where nothing resists"),
             (LimitEnd::TooFar, "… where motions are\nno longer small"),
             (LimitEnd::Buckles, "… where it buckles"),
+            (LimitEnd::TurnsOver, "… where it turns over"),
             (LimitEnd::Leaks, "… where a cup leaks"),
         ] {
             let ends = angles.iter().zip(lasts).filter(|(_, last)| last.end == end);
