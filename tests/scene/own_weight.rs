@@ -142,3 +142,23 @@ fn the_gravity_of_a_scene_pulls_at_masses_in_loads() {
     assert_eq!(of(r#"{"mass": 0.5}"#), [0.0, -4.905, 0.0]);
     assert_eq!(of(r#"{"mass": 0.5, "gravity": [0, 0, -9.81]}"#), [0.0, 0.0, -4.905]);
 }
+
+/// On an arm that turns, each body has the acceleration of its own place, not that of the common centre of mass.
+#[test]
+fn a_turning_arm_with_loads_shared_by_mass_is_refused() {
+    let shared = |question: &str| {
+        on_a_tray(question).replacen(r#""gravity": [0, -9.81]"#, r#""shared_by_mass": true"#, 1)
+    };
+    let load = r#"{"mass": 1.5, "at": [0, 0], "turning": {"about": [1, 0], "velocity_deg": 90}}"#;
+    let fault = Scene::from_json(shared(&format!(r#"{{"hold": {{"load": {load}}}}}"#)).as_bytes());
+    let fault = fault.expect_err("turns").to_string();
+    assert!(
+        fault.contains("questions[0].hold.load.turning: must be left out where bodies share loads"),
+        "{fault}"
+    );
+    // The inertia of one body alone may turn.
+    let on_one =
+        format!(r#"{{"hold": {{"load": {{"force": [0, -1]}}, "together_with": {{"lid": {load}}}}}}}"#);
+    let lone = Scene::from_json(on_a_tray(&on_one).replacen(r#""gravity": [0, -9.81],"#, "", 1).as_bytes());
+    assert!(lone.is_ok(), "{lone:?}");
+}

@@ -1,4 +1,5 @@
-//! Refuses questions that contain the weight of a body again, although the scene's gravity already acts on it (feature `json`).
+//! Refuses questions that contain the weight of a body again, although the scene's gravity already acts on it (feature `json`). Also refuses an arm that
+//! turns where bodies share loads by mass, because then each body has an acceleration of its own.
 
 use serde_json::Value;
 
@@ -8,10 +9,10 @@ use crate::grasp::inside;
 use crate::words::printable;
 
 impl Setup<3> {
-    /// Refuses the questions of a scene that count a weight twice. The questions are checked in `text`, because in the setup a mass has already
+    /// Refuses the questions of a scene that count a weight twice, or that turn an arm with several bodies. The questions are checked in `text`, because in the setup a mass has already
     /// become a force.
     pub(super) fn refuse_in_scene(&self, text: &[u8]) -> Result<(), Fault> {
-        if self.own_mass().is_none() {
+        if self.own_mass().is_none() && !self.shared_by_mass {
             return Ok(());
         }
         let (scene, space): (Value, _) =
@@ -22,7 +23,7 @@ impl Setup<3> {
 
 impl<const C: usize> Setup<C> {
     /// Refuses a question, given as JSON, that states a mass, or a weight whose direction turns, for bodies on which the gravity of the scene already
-    /// acts. `path` is the path of the question in the text, for the message.
+    /// acts. Also refuses a question in which an arm turns whose bodies share loads by mass. `path` is the path of the question in the text, for the message.
     ///
     /// # Errors
     /// A [`Fault`] that names the field, and how to count the weight once.
@@ -35,7 +36,9 @@ impl Setup<3> {
     /// Refuses a question that states a mass, or a weight whose direction turns, for bodies on which the gravity of the scene already acts. Vectors
     /// have three components; in the plane the third is zero.
     fn refuse_twice(&self, question: &Value, path: &str) -> Result<(), Fault> {
-        match self.own_mass().and_then(|_| self.weight_twice(question, path, None)) {
+        let twice = || self.own_mass().and_then(|_| self.weight_twice(question, path, None));
+        let shares = self.shared_by_mass && self.bodies.len() > 1;
+        match shares.then(|| turning(question, path)).flatten().or_else(twice) {
             Some((field, message)) => {
                 Err(Fault { kind: FaultKind::Scene, message, field: Some(field), at: None })
             }
@@ -98,5 +101,22 @@ impl Setup<3> {
             }
         }
         None
+    }
+}
+
+/// The path of the first load within `value` that is the inertia of a turning arm, and the message about it; `None` if there is none. `path` is the path
+/// of `value`. Loads on single bodies may turn.
+fn turning(value: &Value, path: &str) -> Option<(String, String)> {
+    const OF_EACH: &str = "must be left out where bodies share loads by mass, since each has an acceleration of its own; say the inertia of each under together_with";
+    match value {
+        Value::Array(list) => {
+            list.iter().enumerate().find_map(|(i, value)| turning(value, &format!("{path}[{i}]")))
+        }
+        Value::Object(fields) => fields.iter().find_map(|(name, value)| match &**name {
+            "together_with" | "body_loads_by" | "body_loads_to" => None,
+            "turning" => Some((format!("{path}.turning"), OF_EACH.to_owned())),
+            _ => turning(value, &format!("{path}.{name}")),
+        }),
+        _ => None,
     }
 }
