@@ -13,7 +13,9 @@ fn jaws_that_open_too_far_in_every_cycle_are_named() {
     };
     let grasp = Grasp::new([jaw(-0.04, "left"), jaw(0.04, "right")]).unwrap();
     let shaken = |force: f64| {
-        let legs = [force, -force].map(|x| Leg::there_and_back(Wrench::force([x, 0.0])));
+        // The load pulls in front of the jaw that stays closed. Behind it, the object would turn over.
+        let pull = |x: f64| Wrench::force_at([x, 0.0], [0.1 * x.signum(), 0.0]);
+        let legs = [force, -force].map(|x| Leg::there_and_back(pull(x)));
         grasp.shake(Wrench::ZERO, &legs.concat()).unwrap()
     };
     // Small motions end at a tenth of the grasp's size, 4 mm. The gap is the force divided by 2000 N/m, minus 8 mm.
