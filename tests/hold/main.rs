@@ -1,6 +1,7 @@
 //! Verdicts: does the grasp hold a load that is applied from rest, and what does the answer say?
 
 mod buckling;
+mod buckling_fingers;
 mod everyday;
 mod kinetic;
 mod kinetic_described_anew;

@@ -9,13 +9,16 @@
 //! Loads are treated like contact forces, at their points of action. A load of which only the line is known adds nothing. In the plane that is exact
 //! if it acts at the point of its line nearest to the centroid of the contacts.
 //!
+//! The joints of a finger turn its links. A contact force F on the object then takes from their stiffness if the finger pushes along its length.
+//!
 //! The forces may also buckle the grasp in a motion that the load does not cause, as for a strut in line with its load. Therefore the second part is
 //! compared with the elastic part in every motion, too, for one object and for several bodies.
 
 use nalgebra::{SMatrix, SVector};
 
 use super::answer::Equilibrium;
-use super::contact_answer::{ContactAnswer, ContactState};
+use super::contact_answer::ContactAnswer;
+use crate::contact::State;
 use crate::grasp::{Engine, Hold, PointsOfAction, Site, Wrench, size_of};
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::numerics::{
@@ -63,7 +66,7 @@ impl Engine {
     pub(crate) fn taken_by_forces(&self, there: &Equilibrium<3>, load: &Wrench<3>) -> Option<f64> {
         let (mut stable, mut unstable) = (0.0, 1.0 / LEAST_TAKEN);
         let stiffness =
-            self.unstable_at(unstable, &forces_in(&there.contacts), &is_open_in(&there.contacts), load)?;
+            self.unstable_at(unstable, &forces_in(&there.contacts), &is_open_in(&there.local.states), load)?;
         // Thirty bisections of the factor t give nine digits, of which two are printed.
         for _ in 0..30 {
             let middle = 0.5 * (stable + unstable);
@@ -86,8 +89,13 @@ impl Engine {
 
     /// Whether the grasp buckles in an equilibrium with these contacts under this load. Also false if the load's points of action are unknown, or if
     /// the grasp has more than [`MOST_COORDINATES`].
-    pub(super) fn buckles_in(&self, contacts: &[ContactAnswer<3>], load: &Wrench<3>) -> bool {
-        self.may_buckle(load) && self.buckles(&forces_in(contacts), &is_open_in(contacts), load)
+    pub(super) fn buckles_in(
+        &self,
+        contacts: &[ContactAnswer<3>],
+        states: &[State],
+        load: &Wrench<3>,
+    ) -> bool {
+        self.may_buckle(load) && self.buckles(&forces_in(contacts), &is_open_in(states), load)
     }
 
     /// Whether [`Self::buckles`] answers for this load: its points of action are known, and the grasp has at most [`MOST_COORDINATES`].
@@ -155,7 +163,7 @@ impl Engine {
 
     /// The geometric stiffness of contact forces F in the engine's coordinates: for the rotation θ of each body `Σ [(F·r) |θ|² - (F·θ)(r·θ)]`.
     /// The arms r of the forces are about the point to which the coordinates of the body refer. A rope or spring with the pull T and the length L
-    /// adds `T |u|²/L` for the displacement u of one end relative to the other, across the rope.
+    /// adds `T |u|²/L` for the displacement u of one end relative to the other, across the rope. Joints of a hand turn the displacements behind them.
     pub(crate) fn geometric_stiffness(&self, forces: &[SVector<f64, 3>], load: &Wrench<3>) -> Square {
         let mut stiffness = Square::zeros(size_of(self.sites()));
         let (axes, object) = (self.space().axes(), self.space().of_the_object());
@@ -168,6 +176,11 @@ impl Engine {
             for (k, l) in (0..object - axes).flat_map(|k| (0..object - axes).map(move |l| (k, l))) {
                 stiffness[(first + axes + k, first + axes + l)] =
                     of_body[(axis(k), axis(l))] / (length(k) * length(l));
+            }
+        }
+        if let Some(linkage) = self.linkage() {
+            for contact in forces.iter().enumerate().take(self.len()) {
+                linkage.add_geometric_stiffness(contact, object, &mut stiffness);
             }
         }
         for (i, force) in forces.iter().enumerate() {
@@ -242,8 +255,9 @@ impl Engine {
     }
 }
 
-fn is_open_in(contacts: &[ContactAnswer<3>]) -> impl Fn(usize) -> bool + Sync + '_ {
-    move |i| contacts.get(i).is_some_and(|answer| matches!(answer.state, ContactState::Separated))
+/// Whether a contact is open, or the spring of a joint or tendon yields, by index.
+fn is_open_in(states: &[State]) -> impl Fn(usize) -> bool + Sync + '_ {
+    move |i| states[i].is_open()
 }
 
 pub(crate) fn forces_in(contacts: &[ContactAnswer<3>]) -> Vec<SVector<f64, 3>> {

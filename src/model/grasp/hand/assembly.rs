@@ -308,6 +308,7 @@ impl Assembly {
             external_torques: Vector::zeros(),
             bodies: bodies.map(Box::new),
             bones: self.bones,
+            axes: mapped(&self.joints, &|joint| joint.motion.axis(self.space)),
             centres: mapped(&self.joints, &|joint| joint.motion.centre()),
             commands,
         };

@@ -5,6 +5,7 @@ use alloc::sync::Arc;
 use nalgebra::SVector;
 
 use crate::grasp::well_posed::{length_or_culprit, unit};
+use crate::numerics::Space;
 use crate::prelude::*;
 
 /// How a joint moves the links behind it.
@@ -144,6 +145,16 @@ impl<const C: usize> JointMotion<C> {
     /// The point about which a revolute joint turns; `None` for other joints.
     pub(super) fn centre(&self) -> Option<SVector<f64, C>> {
         if let Self::Revolute { point, .. } = self { Some(*point) } else { None }
+    }
+
+    /// The unit vector along the axis of a revolute joint, in the plane that out of the plane; `None` for other joints.
+    pub(super) fn axis(&self, space: Space) -> Option<SVector<f64, 3>> {
+        let Self::Revolute { axis, .. } = self else { return None };
+        let mut along = SVector::z();
+        if space == Space::Spatial {
+            (0..C).for_each(|a| along[a] = axis[a]);
+        }
+        unit(&along)
     }
 
     /// Velocity of the point `at` per unit velocity of the joint. For a revolute joint it is `axis × (at - point)`, with the unit vector along the

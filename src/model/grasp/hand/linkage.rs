@@ -11,7 +11,7 @@ use super::drive::{Drive, DriveOwner};
 use super::joint::{JointKind, Limit};
 use crate::grasp::bodies::PlacedBodies;
 use crate::grasp::contact::Contact;
-use crate::numerics::{IntoList, Space, Vector, chosen, picked};
+use crate::numerics::{IntoList, Space, Square, Vector, chosen, picked};
 use crate::prelude::*;
 use crate::words::printable;
 
@@ -36,6 +36,8 @@ pub(crate) struct Linkage {
     pub(crate) bodies: Option<Box<PlacedBodies>>,
     /// Line segments from joint to joint and on to the contacts, for pictures only.
     pub(crate) bones: Vec<[SVector<f64, 3>; 2]>,
+    /// The unit vector along the axis of each revolute joint; `None` for other joints.
+    pub(crate) axes: Vec<Option<SVector<f64, 3>>>,
     /// A point on the axis of each revolute joint, `None` for other joints; for pictures only.
     pub(crate) centres: Vec<Option<SVector<f64, 3>>>,
     /// Commanded displacements of the joints (rad or m), then of the tendons (m).
@@ -109,6 +111,30 @@ impl PartLabel {
 }
 
 impl Linkage {
+    /// Adds the geometric stiffness of the joints that move a contact, whose force F, N, acts on the object. Behind a revolute joint with the axis e, a
+    /// displacement J of the contact per unit of a joint turns with the finger. The force on the finger is -F, so that the pair of both joints gets the
+    /// stiffness `F·(e × J)`. `first` is the index of the first coordinate after the object's.
+    pub(crate) fn add_geometric_stiffness(
+        &self,
+        (contact, force): (usize, &SVector<f64, 3>),
+        first: usize,
+        stiffness: &mut Square,
+    ) {
+        let joints =
+            picked(&self.motions[contact], &|motion| (motion.0 < self.joints.len()).then_some(*motion));
+        for (at, (inner, _)) in joints.iter().enumerate() {
+            let Some(axis) = self.axes[*inner] else { continue };
+            for (outer, moved) in &joints[at..] {
+                let (i, j) = (first + inner, first + outer);
+                let entry = force.dot(&axis.cross(moved)) / (self.lengths[i] * self.lengths[j]);
+                stiffness[(i, j)] += entry;
+                if i != j {
+                    stiffness[(j, i)] += entry;
+                }
+            }
+        }
+    }
+
     /// Stretches of the springs of all drives under these commands of joints and tendons, m.
     pub(crate) fn stretches(&self, commands: &[f64]) -> impl Iterator<Item = SVector<f64, 3>> {
         self.drives.iter().map(move |drive| drive.stretch(commands))
