@@ -55,6 +55,7 @@ mod snap_through;
 mod sticking_response;
 mod tolerances;
 mod too_far;
+mod turning_parts;
 mod turns_over;
 mod write_out;
 
