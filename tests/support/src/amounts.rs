@@ -135,12 +135,13 @@ pub fn squeeze<const C: usize>() -> Quantity<C> {
     )
 }
 
-/// The sought quantity friction: the coefficient of all fingers that have friction.
+/// The sought quantity friction: the coefficient of all fingers that have friction, or of all fingers if none has.
 pub fn friction<const C: usize>() -> Quantity<C> {
     (
         |scene| Need::friction(scene.load).on_top_of(scene.base),
         |scene, x| {
-            let grasp = scene.grasp.with_friction(|_, mu| if mu > 0.0 { x } else { mu })?;
+            let none = scene.grasp.contacts().iter().all(|finger| finger.friction_coefficient() == 0.0);
+            let grasp = scene.grasp.with_friction(|_, mu| if mu > 0.0 || none { x } else { mu })?;
             Ok(grasp.hold(Ramp::load(scene.base, scene.load))?.holds())
         },
     )

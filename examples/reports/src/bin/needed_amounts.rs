@@ -1,8 +1,10 @@
 //! Are the amounts that `need` finds right, compared with brute force, and how many verdicts does it compute for one?
 //!
-//! `cargo run --release -p reports --bin needed_amounts [scenes [amounts [family]]]`
+//! `cargo run --release -p reports --bin needed_amounts [scenes [amounts [family [first scene]]]]`
 //!
 //! In random scenes of each quantity, `hold` tries many amounts around each answer of `need`. The family `cards` has houses of cards.
+
+use std::ops::Range;
 
 use grasp_lcp::Error;
 use grasp_lcp::need::Need;
@@ -19,16 +21,17 @@ fn main() -> Result<(), Failure> {
         |at: usize, default: i32| std::env::args().nth(at).map_or(Ok(default), |count| count.parse::<i32>());
     let (scenes, amounts) = (asked(1, 10)?, asked(2, 40)?);
     let family = std::env::args().nth(3).unwrap_or_default();
+    let first = asked(4, 0)?;
     println!("{scenes} scenes of each quantity, {amounts} amounts around each answer\n");
     println!("                         scenes                  amounts tried    run time of need");
     println!(
         "sought                   wrong   undecided       mean    most     in holds (median, all, most)"
     );
     let planar = |name: &str, quantity: Quantity<2>| {
-        survey(&family, (name, ""), &amounts::planar, quantity, (scenes, amounts))
+        survey(&family, (name, ""), &amounts::planar, quantity, (first..first + scenes, amounts))
     };
     let spatial = |name: &str, quantity: Quantity<3>| {
-        survey(&family, (name, " in space"), &amounts::spatial, quantity, (scenes, amounts))
+        survey(&family, (name, " in space"), &amounts::spatial, quantity, (first..first + scenes, amounts))
     };
     planar("squeeze", amounts::squeeze())?;
     spatial("squeeze", amounts::squeeze())?;
@@ -68,14 +71,14 @@ fn survey<const C: usize>(
     (quantity, space): (&str, &str),
     draw: &dyn Fn(&mut Random) -> Result<Scene<C>, Error>,
     question: Quantity<C>,
-    (scenes, amounts): (i32, i32),
+    (scenes, amounts): (Range<i32>, i32),
 ) -> Result<(), Failure> {
     let name = format!("{quantity}{space}");
     if !family.is_empty() && family != name {
         return Ok(());
     }
     let (mut wrong, mut undecided, mut counts, mut times) = (Vec::new(), 0, Vec::new(), Vec::new());
-    for number in 0..scenes {
+    for number in scenes {
         let mut random = seeded(u64::try_from(number)?);
         let scene = draw(&mut random)?;
         let found = checked(&scene, question, amounts, &mut random)?;
