@@ -11,8 +11,8 @@ use super::answer::AmountWindow;
 use super::search::{SearchPlan, TrialFunctions};
 use super::threshold::{Threshold, where_it_vanishes};
 use super::tolerances::{
-    BETWEEN, BETWEEN_STATES, BEYOND_A_MARGIN, FAR_BEHIND, FAR_FROM_START, NEAR_THE_START, TOWARDS_ZERO,
-    WHERE_MARGINS_VANISH,
+    BETWEEN, BETWEEN_STATES, BEYOND_A_MARGIN, FAR_BEHIND, FAR_FROM_START, NEAR_THE_START, STEEP,
+    TOWARDS_ZERO, WHERE_MARGINS_VANISH,
 };
 use super::trial::Trial;
 use crate::error::Error;
@@ -202,14 +202,14 @@ impl BoundScan {
     }
 }
 
-/// Tries at most five ([`BETWEEN`]) further amounts. Each lies between two neighbouring `known` amounts with the same verdict (sufficient or not),
+/// Tries at most six ([`BETWEEN`]) further amounts. Each lies between two neighbouring `known` amounts with the same verdict (sufficient or not),
 /// where an amount with the other verdict may hide. Returns whether one of the further amounts has the other verdict. There are three reasons to try
 /// an amount:
 ///
 /// * both neighbours are insufficient, but an amount between them [might carry the whole load](where_all_might_be_carried);
 /// * both neighbours are sufficient, but a margin (the carried multiple of the load less 1, or the distance to a limit) is
 ///   [predicted to be zero](where_a_margin_vanishes) between them;
-/// * the [contact states at rest differ](states_differ) between the neighbours: where these states change, the carried part of the load may jump.
+/// * [another path](paths_differ) leads to the verdict with one neighbour than with the other, and a margin is small.
 pub(super) fn between_known(
     known: &[(f64, Trial)],
     is_claimed: &dyn Fn(f64) -> bool,
@@ -223,7 +223,7 @@ pub(super) fn between_known(
         let carries = || where_all_might_be_carried(&list, plan).map(|at| (at, false));
         let vanishes = || where_a_margin_vanishes(&list).map(|at| (at, true));
         let guess = if count < WHERE_MARGINS_VANISH { carries().or_else(vanishes) } else { None };
-        let next = guess.or_else(|| states_differ(&list, near, tries));
+        let next = guess.or_else(|| paths_differ(&list, near, tries));
         let Some((at, was_sufficient)) = next else { break };
         let now = (tries.short)(at)?;
         is_new |= now.carried().is_some() && now.is_sufficient() != was_sufficient;
@@ -234,7 +234,8 @@ pub(super) fn between_known(
 
 /// An amount between two neighbouring insufficient amounts, with which the whole load might be carried. A bound of the sufficient amounts is
 /// estimated from the neighbour that carries more of the load. The amount lies a tenth ([`BEYOND_A_MARGIN`]) of the way from this bound to the other
-/// neighbour. If there are several such amounts, the one whose neighbour carries most is returned.
+/// neighbour, unless the second margin tells where sufficient amounts end. If there are several such amounts, the one whose neighbour carries most is
+/// returned.
 fn where_all_might_be_carried(list: &[(f64, Trial)], plan: &SearchPlan) -> Option<f64> {
     let beyond = |here: &(f64, Trial), next: &(f64, Trial)| {
         let fail = !here.1.is_sufficient() && !next.1.is_sufficient();
@@ -242,7 +243,12 @@ fn where_all_might_be_carried(list: &[(f64, Trial)], plan: &SearchPlan) -> Optio
             here.1.carried().filter(|carried| fail && next.1.carried().is_some_and(|c| c < *carried))?;
         let guess = plan.guessed(here.0, &here.1)?;
         let is_between = (guess - here.0) * (guess - next.0) < 0.0;
-        is_between.then_some((carried, guess + BEYOND_A_MARGIN * (next.0 - guess)))
+        // If only the other neighbour moves the object too far, sufficient amounts end where the second margin is zero. The amount then lies midway.
+        let [one, other] = [here, next].map(|(_, trial)| trial.measures()[1].unwrap_or(0.0));
+        let end = here.0 + (next.0 - here.0) * one / (one - other);
+        let is_end = one > 0.0 && other < 0.0 && (end - guess) * (next.0 - guess) > 0.0;
+        let at = if is_end { 0.5 * (guess + end) } else { guess + BEYOND_A_MARGIN * (next.0 - guess) };
+        is_between.then_some((carried, at))
     };
     let mut both_ways = Vec::new();
     for pair in list.windows(2) {
@@ -252,26 +258,26 @@ fn where_all_might_be_carried(list: &[(f64, Trial)], plan: &SearchPlan) -> Optio
     highest(&both_ways, &|(carried, _)| *carried).map(|(_, at)| *at)
 }
 
-/// The geometric mean of two neighbouring amounts with the same verdict but different contact states at rest, and whether these two amounts are
-/// sufficient. Of several such pairs, the pair with the largest ratio is taken. Pairs of amounts from `near / 16` to `16 near` ([`FAR_FROM_START`])
-/// come first.
-fn states_differ(list: &[(f64, Trial)], near: f64, tries: TrialFunctions<'_>) -> Option<(f64, bool)> {
-    let differ = |pair: &[(f64, Trial)]| {
+/// The geometric mean of two neighbouring amounts with the same verdict but [different paths](TrialFunctions::differ), and whether these two amounts
+/// are sufficient. Of several such pairs, the steepest is taken, of at least the slope [`STEEP`]. The slope is the logarithm of the ratio of the
+/// amounts, at most of 2, times the sum of their inverse [margins](Trial::margin). Pairs that reach into the range from `near / 16` to `16 near`
+/// ([`FAR_FROM_START`]) come first.
+fn paths_differ(list: &[(f64, Trial)], near: f64, tries: TrialFunctions<'_>) -> Option<(f64, bool)> {
+    let slope = |pair: &[(f64, Trial)]| {
         let [(one, trial), (other, next)] = [&pair[0], &pair[1]];
-        let are_decided = trial.carried().is_some() && next.carried().is_some();
-        let is_same = are_decided && trial.is_sufficient() == next.is_sufficient();
-        is_same && *other > one * BETWEEN_STATES && (tries.rests_otherwise)(*one, *other)
+        let (ratio, sum) = (other / one, trial.margin()?.recip() + next.margin()?.recip());
+        let slope = ratio.min(2.0).ln() * sum;
+        let is_same = trial.is_sufficient() == next.is_sufficient();
+        let is_asked = is_same && ratio > BETWEEN_STATES && slope >= STEEP && (tries.differ)(*one, *other);
+        let is_near = *one < near * FAR_FROM_START && *other * FAR_FROM_START > near;
+        is_asked.then_some(if is_near { slope } else { -slope.recip() })
     };
-    let is_near = |at: f64| at <= near * FAR_FROM_START && at * FAR_FROM_START >= near;
     let mut pairs = Vec::new();
     for pair in list.windows(2) {
-        pairs.extend(differ(pair).then_some(pair));
+        pairs.extend(slope(pair).map(|slope| (slope, pair)));
     }
-    let widest = highest(&pairs, &|pair| {
-        let ratio = pair[1].0 / pair[0].0;
-        if is_near(pair[0].0) && is_near(pair[1].0) { ratio } else { -ratio.recip() }
-    })?;
-    Some(((widest[0].0 * widest[1].0).sqrt(), widest[0].1.is_sufficient()))
+    let (_, steepest) = highest(&pairs, &|(slope, _)| *slope)?;
+    Some(((steepest[0].0 * steepest[1].0).sqrt(), steepest[0].1.is_sufficient()))
 }
 
 /// An amount between two neighbouring sufficient amounts, where one of two [margins](Trial::measures) may be negative. One margin is the carried

@@ -13,7 +13,7 @@ use super::tolerances::MOST_LOADS;
 use super::trial::{NOT_AT_REST, RefutingLoads, Trial, Trials};
 use crate::ask::Grasp;
 use crate::contact::State;
-use crate::equilibrium::{Settings, TooFar};
+use crate::equilibrium::{Proof, Settings, TooFar};
 use crate::error::Error;
 use crate::grasp::Wrench;
 use crate::hold::{Holding, LossVerb, PathFacts, Verdict, VerdictScope};
@@ -171,6 +171,7 @@ impl Loading {
     /// first load that is not carried.
     fn all(&self, ramps: &[Ramp<3>], demand: Demand, refuting: &RefutingLoads) -> Result<Trials, Error> {
         let (mut held, mut sticks, mut kinds, mut jumps) = (Trial::always(), Trial::always(), None, false);
+        let mut is_unbalanced = false;
         let (mut weakest, mut least) = (refuting.first.get(), f64::INFINITY);
         for k in 0..ramps.len() {
             let which = (refuting.first.get() + k) % ramps.len();
@@ -192,6 +193,7 @@ impl Loading {
             }
             let (verdict, path) = self.put_on_up_to(&ramps[which], held.carried())?;
             (kinds, jumps) = (path.at_rest, jumps || path.jumps > 0);
+            is_unbalanced = is_unbalanced || is_proved_by_a_motion(&verdict.holding);
             let of_this = |trial| self.said_of(which, &ramps[which].direction, trial);
             held = held.or_worse(of_this(self.judged((&verdict, 1.0 - path.farthest), Demand::Held)));
             let at_rest = self.grasp.sticking_margin(&verdict.base).unwrap_or(f64::INFINITY);
@@ -205,12 +207,18 @@ impl Loading {
                 // The remaining loads are not tried. If this load is not held, it is known that not all loads are held. If it is held, but a contact
                 // slides under it, it is not known whether the remaining loads are held: `held` is `None` unless none remain.
                 let held = (!held.is_sufficient() || k + 1 == ramps.len()).then_some(held);
-                return Ok(Trials { held, sticks: Some(sticks), at_rest: kinds, jumps });
+                return Ok(Trials { held, sticks: Some(sticks), at_rest: kinds, is_unbalanced, jumps });
             }
         }
         let is_held = !(self.grasp.settings().is_quick && demand == Demand::Sticks);
         refuting.first.set(weakest);
-        Ok(Trials { held: is_held.then_some(held), sticks: Some(sticks), at_rest: kinds, jumps })
+        Ok(Trials {
+            held: is_held.then_some(held),
+            sticks: Some(sticks),
+            at_rest: kinds,
+            is_unbalanced,
+            jumps,
+        })
     }
 
     /// The least fraction [`Verdict::left_out`] of the springs' resistance under these loads; `None` if none is below zero, and for a force of any
@@ -372,6 +380,12 @@ impl Loading {
             None => Trial::Unknown("the path has no end".to_owned()),
         })
     }
+}
+
+/// Whether a motion proves that no forces of the contacts balance the load at rest.
+fn is_proved_by_a_motion(holding: &Holding<3>) -> bool {
+    let Holding::NoRest { none, .. } = holding else { return false };
+    matches!(none.proof, Proof::SeparatingMotion { .. } | Proof::FreeMotion { .. })
 }
 
 /// The wrench of a force (N) at a point (m), with its moment about the origin.

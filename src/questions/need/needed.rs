@@ -180,13 +180,13 @@ fn amount(tried: &TrialRecord<'_>, demand: Demand, look: SearchExtent) -> Result
     // fifty to some hundreds of verdicts, one for each direction tried. The short trial is then a quick trial, and only in directions that are known
     // to be weak.
     let short = |amount: f64| if learns { quick(amount, true) } else { tried.at(amount, demand, true) };
-    let rests_otherwise = |one: f64, other: f64| tried.rests_otherwise(one, other);
+    let differ = |one: f64, other: f64| tried.differ(one, other);
     let rest_ends = |sufficient: f64, insufficient: f64| tried.rest_ends(sufficient, insufficient);
     let tries = TrialFunctions {
         whole: &whole,
         short: &short,
         quick: &quick,
-        rests_otherwise: &rests_otherwise,
+        differ: &differ,
         rest_ends: &rest_ends,
         learns,
         is_planar: grasp.space() == Space::Planar,

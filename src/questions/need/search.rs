@@ -24,8 +24,9 @@ pub(super) struct TrialFunctions<'t> {
     /// Quick trials omit the enumeration of many contact states, which is slowest if no equilibrium exists. If only the enumeration can decide, the
     /// trial is undecided. With the flag `true`, load paths also end at the loads of the question, as in the trials `short`.
     pub(super) quick: &'t dyn Fn(f64, bool) -> Result<Trial, Error>,
-    /// Whether the contact states in the equilibrium at rest (before the loads act) differ between two amounts, both with full trials.
-    pub(super) rests_otherwise: &'t dyn Fn(f64, f64) -> bool,
+    /// Whether another path leads to the verdict with one amount than with another, both with full trials: contact states at rest (before the loads
+    /// act), jumps, or the kind of proof that no equilibrium at rest exists.
+    pub(super) differ: &'t dyn Fn(f64, f64) -> bool,
     /// An estimate of the amount, between a sufficient and an insufficient one, at which the first contact at rest changes its state.
     pub(super) rest_ends: &'t dyn Fn(f64, f64) -> Option<f64>,
     /// Whether the question has a force of any direction. Full trials may then find directions in which it is not carried, and later quick trials

@@ -90,10 +90,16 @@ pub(super) const MOST_LOADS: f64 = (1u32 << 20) as f64;
 /// If smaller, rounding drops a prediction that is right. If larger, a wrong prediction costs more trials.
 pub(super) const NEAR_A_PREDICTION: f64 = 1e-9;
 
-/// Between two neighbouring amounts with different contact states at rest, a further amount is tried only if their ratio exceeds this number.
+/// Between two neighbouring amounts with different paths to their verdicts, a further amount is tried only if their ratio exceeds this number.
 ///
 /// If smaller, the search spends verdicts on intervals too narrow to matter. If larger, it misses more intervals in which the verdict differs.
 pub(super) const BETWEEN_STATES: f64 = 1.05;
+
+/// Between two neighbouring amounts with different paths to their verdicts, a further amount is tried only from this slope on. The slope is the
+/// logarithm of their ratio, at most of 2, times the sum of their inverse margins. Margins are distances from another verdict, from 0 to 1.
+///
+/// If smaller, verdicts are spent on pairs between which the verdict hardly ever differs. If larger, more intervals with another verdict are missed.
+pub(super) const STEEP: f64 = 0.6;
 
 /// After a scan, two margins are extrapolated linearly from neighbouring sufficient amounts. One is the carried part of the load less 1. The other is
 /// the distance to the limit of small motions, or of sticking at rest. If a margin is predicted to be zero at an amount x before the next sufficient
@@ -104,10 +110,10 @@ pub(super) const BETWEEN_STATES: f64 = 1.05;
 pub(super) const BEYOND_A_MARGIN: f64 = 0.1;
 
 /// Upper limit of the number of amounts that are tried after a scan, between its amounts. They are tried where a margin is predicted to be zero (see
-/// [`BEYOND_A_MARGIN`]), and between neighbouring amounts with different contact states at rest.
+/// [`BEYOND_A_MARGIN`]), and between neighbouring amounts with different paths to their verdicts.
 ///
 /// With fewer, intervals in which the verdict differs are missed. Each amount costs a verdict.
-pub(super) const BETWEEN: usize = 5;
+pub(super) const BETWEEN: usize = 6;
 
 /// Upper limit of the number of amounts that are tried after a scan because a margin is predicted to be zero (see [`BEYOND_A_MARGIN`]), or because
 /// the whole load might be carried. They are among the at most [`BETWEEN`] amounts that are tried between the amounts of the scan.

@@ -7,6 +7,7 @@ use core::cell::{Cell, RefCell};
 
 use super::question::Demand;
 use crate::hold::AtRest;
+use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::numerics::{Each, dot};
 use crate::prelude::*;
 
@@ -97,6 +98,16 @@ impl Trial {
         }
     }
 
+    /// The distance from another verdict, at most 1. Of a sufficient amount it is the smaller measure, of an insufficient amount the part of the load
+    /// that is not carried. `None` if the trial is undecided.
+    pub(super) fn margin(&self) -> Option<f64> {
+        let margin = match self {
+            Self::Sufficient { carried, other } => (carried - 1.0).min(*other),
+            _ => 1.0 - self.nearness()?,
+        };
+        Some(margin.clamp(NEGLIGIBLE, 1.0))
+    }
+
     /// Two measures of the distance from the bound of the sufficient amounts: the carried part of the load less 1, and the second margin. Each
     /// measure is zero at the bound, unless it jumps at the bound. `None` for a measure that is not known.
     pub(super) fn measures(&self) -> [Option<f64>; 2] {
@@ -139,6 +150,8 @@ pub(super) struct Trials {
     pub(super) sticks: Option<Trial>,
     /// The contact states at rest; `None` if no equilibrium at rest exists or is known.
     pub(super) at_rest: Option<AtRest>,
+    /// Whether a motion proves that no forces of the contacts balance the load at rest.
+    pub(super) is_unbalanced: bool,
     /// Whether the object jumps while a load is put on: it slips under constant load until a contact catches it, or snaps over.
     pub(super) jumps: bool,
 }

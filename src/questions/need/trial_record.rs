@@ -153,14 +153,15 @@ impl<'q> TrialRecord<'q> {
         nearest.map_or_else(Vec::new, |(_, rest)| rest.states.clone())
     }
 
-    /// Whether the state of some contact at rest differs between these two amounts, both of which must have been tried.
-    pub(super) fn rests_otherwise(&self, one: f64, other: f64) -> bool {
+    /// Whether another path leads to the verdict with one of these two amounts than with the other; both must have been tried. A contact has another
+    /// state at rest, or the object jumps with one of them only. Of two proofs that there is no equilibrium at rest, at most one is a motion.
+    pub(super) fn differ(&self, one: f64, other: f64) -> bool {
         let known = self.known.borrow();
-        let found =
-            |amount: f64| known.iter().find(|(at, _)| *at == amount).map(|(_, trials)| &trials.at_rest);
-        let differ = |one: &Option<AtRest>, other: &Option<AtRest>| match (one, other) {
-            (Some(one), Some(other)) => !same_kinds(one, other),
-            (one, other) => one.is_some() != other.is_some(),
+        let found = |amount: f64| known.iter().find(|(at, _)| *at == amount).map(|(_, trials)| trials);
+        let differ = |one: &Trials, other: &Trials| match (&one.at_rest, &other.at_rest) {
+            (Some(at), Some(there)) => !same_kinds(at, there) || one.jumps != other.jumps,
+            (None, None) => !(one.is_unbalanced && other.is_unbalanced),
+            _ => true,
         };
         found(one).zip(found(other)).is_some_and(|(one, other)| differ(one, other))
     }
