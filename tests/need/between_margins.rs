@@ -79,6 +79,12 @@ fn a_window_between_amounts_without_equilibrium() -> Tested {
     is_met(amounts::spatial, amounts::friction, &[395])
 }
 
+/// Where the object jumps at 0.0308 times the given squeeze, the scan finds the change once more when it is repeated.
+#[test]
+fn the_same_changes_in_a_repeated_scan() -> Tested {
+    is_met(amounts::spatial, amounts::squeeze, &[109])
+}
+
 /// The answer is a bound from which on amounts suffice. Amounts of a fifth of the bound suffice too, with other contact states.
 #[test]
 fn windows_below_the_bound() -> Tested {
