@@ -3,7 +3,7 @@
 use grasp_lcp::nalgebra::{Isometry3, Matrix4, Vector3};
 use grasp_lcp::robot::Robot;
 
-use crate::robots::wrist_and_fingers;
+use crate::robots::{joint, robot, wrist_and_fingers};
 
 /// The pose of a URDF `origin`: roll about x, then pitch about y, then yaw about z, then the translation.
 fn origin(place: [f64; 3], [roll, pitch, yaw]: [f64; 3]) -> Matrix4<f64> {
@@ -59,4 +59,18 @@ fn joints_are_listed_from_the_root_outwards() {
     assert!(names("arm").is_empty());
     let knuckle = robot.joints_of("one").expect("a link")[1];
     assert_eq!((knuckle.range(), knuckle.effort()), ([-1.0, 1.0], 2.0));
+}
+
+#[test]
+fn newer_versions_have_quaternions_and_joints_without_limits() {
+    let more = r#"<origin xyz="1 2 3" quat_xyzw="0.5 0.5 0.5 0.5"/><limit effort="3"/>"#;
+    let text = robot(&["a", "b"], &[joint("one", "revolute", ["a", "b"], more)]);
+    let read = |version: &str| {
+        Robot::from_urdf(&text.replace("<robot", &format!(r#"<robot version="{version}""#))).expect("a robot")
+    };
+    near(read("1.0").pose("b").expect("a link"), origin([1.0, 2.0, 3.0], [0.0; 3]));
+    let quarter = std::f64::consts::FRAC_PI_2;
+    near(read("1.1").pose("b").expect("a link"), origin([1.0, 2.0, 3.0], [quarter, 0.0, quarter]));
+    let ranges = ["1.1", "1.2"].map(|version| read(version).joints()[0].range());
+    assert_eq!(ranges, [[0.0; 2], [f64::NEG_INFINITY, f64::INFINITY]]);
 }

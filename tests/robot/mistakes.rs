@@ -34,7 +34,7 @@ fn joints_that_form_no_tree_are_named() {
     let nowhere = robot(&["a", "b"], &[turns("one", ["a", "c"])]);
     is(&fault(&nowhere), "link c: ", "are a, b");
     let floats = robot(&["a", "b"], &[joint("free", "floating", ["a", "b"], axis)]);
-    is(&fault(&floats), "joint free: ", "Floating");
+    is(&fault(&floats), "joint free: ", "floating");
     let flat = robot(&["a", "b"], &[joint("flat", "continuous", ["a", "b"], r#"<axis xyz="0 0 0"/>"#)]);
     is(&fault(&flat), "joint flat: ", "axis");
     let itself = robot(
@@ -42,6 +42,26 @@ fn joints_that_form_no_tree_are_named() {
         &[joint("self", "continuous", ["a", "b"], &format!("{axis}<mimic joint=\"self\"/>"))],
     );
     is(&fault(&itself), "joint self: ", "mimics self");
+}
+
+#[test]
+fn what_cannot_be_read_is_named() {
+    let of = |more: &str| fault(&robot(&["a", "b"], &[joint("one", "revolute", ["a", "b"], more)]));
+    is(&of(r#"<origin xyz="0 0"/>"#), "joint one: origin has xyz \"0 0\"", "must be 3 numbers");
+    is(&of(r#"<limit lower="low"/>"#), "joint one: limit has lower \"low\"", "must be a number");
+    is(&of("<mimic/>"), "joint one: mimic has no joint", "");
+    let link = |shape: &str| {
+        fault(&format!(r#"<robot><link name="a"><collision>{shape}</collision></link></robot>"#))
+    };
+    is(&link("<geometry/>"), "link a: collision has no geometry", "");
+    is(&link("<geometry><cone/></geometry>"), "link a: cone is no shape", "must be box, ");
+    is(&link("<geometry><box/></geometry>"), "link a: box has no size", "");
+    let newer = |more: &str| {
+        let text = robot(&["a", "b"], &[joint("one", "revolute", ["a", "b"], more)]);
+        fault(&text.replace("<robot", r#"<robot version="1.2""#))
+    };
+    is(&newer(r#"<limit lower="1" upper="0"/>"#), "joint one: limits", "lower ≤ upper");
+    is(&newer(r#"<origin rpy="0 0 0" quat_xyzw="0 0 0 1"/>"#), "joint one: origin has rpy", "one of them");
 }
 
 #[test]

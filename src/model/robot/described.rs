@@ -3,11 +3,11 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use nalgebra::{Isometry3, Translation3, UnitQuaternion, UnitVector3, Vector3};
-use urdf_rs::{JointType, Pose};
+use nalgebra::{Isometry3, UnitVector3};
+use roxmltree::{Document, Node, ParsingOptions};
 
 use super::shapes::Shape;
-
+use super::urdf::{child, children, number, numbers, place, version, word};
 use crate::error::Error;
 use crate::grasp::{JointKind, Limit};
 
@@ -108,51 +108,58 @@ impl Robot {
     /// [`Error::Robot`] if the text is not a URDF, if its joints form a loop, or for a joint that is not revolute, continuous, prismatic or
     /// fixed.
     pub fn from_urdf(text: &str) -> Result<Self, Error> {
-        let read = urdf_rs::read_from_string(text).map_err(|error| fault(error.to_string()))?;
-        if read.links.is_empty() {
+        let options = ParsingOptions { allow_dtd: true, ..ParsingOptions::default() };
+        let file = Document::parse_with_options(text.trim_start(), options);
+        let file = file.map_err(|error| fault(error.to_string()))?;
+        let [links, joints] = ["link", "joint"].map(|kind| children(file.root_element(), kind));
+        if links.is_empty() {
             return Err(fault("has no links, must be a URDF".to_owned()));
         }
-        let links: Vec<String> = read.links.iter().map(|link| link.name.clone()).collect();
+        let shapes_of = |link: &Node| children(*link, "collision").into_iter().map(Shape::read).collect();
         let mut robot = Self {
             carried_by: vec![None; links.len()],
-            links,
+            links: links
+                .iter()
+                .map(|link| Ok(word(*link, "name")?.to_owned()))
+                .collect::<Result<_, Error>>()?,
             joints: Vec::new(),
             base: Isometry3::identity(),
-            shapes: read.links.iter().map(shapes_of).collect(),
+            shapes: links.iter().map(shapes_of).collect::<Result<_, Error>>()?,
             folder: PathBuf::new(),
         };
-        let mut is_placed: Vec<bool> = robot
-            .links
-            .iter()
-            .map(|link| read.joints.iter().all(|joint| joint.child.link != *link))
-            .collect();
+        let mut left = Vec::with_capacity(joints.len());
+        for joint in joints {
+            let link = |end| robot.link(word(child(joint, end).unwrap_or(joint), "link")?);
+            left.push((joint, link("parent")?, link("child")?));
+        }
+        let mut mimicking = Vec::new();
         // Joints are added from the root links outwards, each after the joint that carries its parent link.
-        let mut left: Vec<&urdf_rs::Joint> = read.joints.iter().collect();
+        let mut is_placed: Vec<bool> =
+            (0..links.len()).map(|link| left.iter().all(|(_, _, child)| *child != link)).collect();
         while !left.is_empty() {
             let before = left.len();
-            for joint in std::mem::take(&mut left) {
-                let (parent, child) = (robot.link(&joint.parent.link)?, robot.link(&joint.child.link)?);
+            for (joint, parent, moved) in std::mem::take(&mut left) {
                 if !is_placed[parent] {
-                    left.push(joint);
-                } else if robot.carried_by[child].is_some() {
-                    return Err(fault(format!(
-                        "link {}: two joints carry it, must be one",
-                        joint.child.link
-                    )));
+                    left.push((joint, parent, moved));
+                } else if robot.carried_by[moved].is_some() {
+                    let name = &robot.links[moved];
+                    return Err(fault(format!("link {name}: two joints carry it, must be one")));
                 } else {
-                    (robot.carried_by[child], is_placed[child]) = (Some(robot.joints.len()), true);
+                    (robot.carried_by[moved], is_placed[moved]) = (Some(robot.joints.len()), true);
+                    mimicking.extend(child(joint, "mimic").map(|mimic| (robot.joints.len(), mimic)));
                     robot.joints.push(described(joint, parent)?);
                 }
             }
             if left.len() == before {
-                return Err(fault(format!("joint {}: is in a loop, joints must form a tree", left[0].name)));
+                let name = word(left[0].0, "name")?;
+                return Err(fault(format!("joint {name}: is in a loop, joints must form a tree")));
             }
         }
-        for joint in &read.joints {
-            let Some(mimic) = &joint.mimic else { continue };
-            let (index, followed) = (robot.index(&joint.name)?, robot.index(&mimic.joint)?);
-            let (factor, offset) = (mimic.multiplier.unwrap_or(1.0), mimic.offset.unwrap_or(0.0));
-            robot.joints[index].mimics = Some(Mimics { joint: followed, factor, offset });
+        for (index, mimic) in mimicking {
+            let [factor, offset] =
+                [number(Some(mimic), "multiplier", 1.0)?, number(Some(mimic), "offset", 0.0)?];
+            let joint = robot.index(word(mimic, "joint")?)?;
+            robot.joints[index].mimics = Some(Mimics { joint, factor, offset });
         }
         for joint in &robot.joints {
             let followed = joint.mimics.map(|mimics| &robot.joints[mimics.joint]);
@@ -190,39 +197,38 @@ impl Robot {
     }
 }
 
-fn shapes_of(link: &urdf_rs::Link) -> Vec<Shape> {
-    link.collision.iter().map(|each| Shape::new(&each.origin, &each.geometry)).collect()
-}
-
-pub(super) fn pose_in(pose: &Pose) -> Isometry3<f64> {
-    let [roll, pitch, yaw] = *pose.rpy;
-    let turned = UnitQuaternion::from_euler_angles(roll, pitch, yaw);
-    Isometry3::from_parts(Translation3::from(*pose.xyz), turned)
-}
-
-fn described(joint: &urdf_rs::Joint, parent: usize) -> Result<RobotJoint, Error> {
-    let kind = match joint.joint_type {
-        JointType::Fixed => None,
-        JointType::Revolute | JointType::Continuous => Some(JointKind::Turns),
-        JointType::Prismatic => Some(JointKind::Slides),
-        ref other => {
+fn described(joint: Node, parent: usize) -> Result<RobotJoint, Error> {
+    let name = word(joint, "name")?.to_owned();
+    let of = word(joint, "type")?;
+    let kind = match of {
+        "fixed" => None,
+        "revolute" | "continuous" => Some(JointKind::Turns),
+        "prismatic" => Some(JointKind::Slides),
+        _ => {
             let allowed = "must be revolute, continuous, prismatic or fixed";
-            return Err(fault(format!("joint {}: is {other:?}, {allowed}", joint.name)));
+            return Err(fault(format!("joint {name}: is {of}, {allowed}")));
         }
     };
-    let axis = UnitVector3::try_new(Vector3::from(*joint.axis.xyz), 0.0)
-        .ok_or_else(|| fault(format!("joint {}: axis has no direction", joint.name)))?;
+    let axis = child(joint, "axis").map_or(Ok(None), |axis| numbers(axis, "xyz"))?;
+    let axis = UnitVector3::try_new(axis.unwrap_or([1.0, 0.0, 0.0]).into(), 0.0)
+        .ok_or_else(|| fault(format!("joint {name}: axis has no direction")))?;
+    let limit = child(joint, "limit");
+    // From version 1.2 on a number that is left out of the limits is no limit.
+    let is_newer = limit.is_some() && version(joint) >= [1, 2];
+    let left_out = if is_newer { f64::INFINITY } else { 0.0 };
+    let range = [number(limit, "lower", 0.0 - left_out)?, number(limit, "upper", left_out)?];
+    let effort = number(limit, "effort", left_out)?;
+    if is_newer && !(range[0] <= range[1] && effort >= 0.0) {
+        return Err(fault(format!("joint {name}: limits must be lower ≤ upper and effort ≥ 0")));
+    }
     Ok(RobotJoint {
-        name: joint.name.clone(),
+        name,
         parent,
-        origin: pose_in(&joint.origin),
+        origin: place(joint)?,
         axis,
         kind,
-        range: match joint.joint_type {
-            JointType::Continuous => [0.0; 2],
-            _ => [joint.limit.lower, joint.limit.upper],
-        },
-        effort: joint.limit.effort,
+        range: if of == "continuous" { [0.0; 2] } else { range },
+        effort,
         mimics: None,
         position: 0.0,
         commanded: None,

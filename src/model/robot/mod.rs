@@ -35,6 +35,7 @@ mod described;
 mod fingers;
 mod posture;
 mod shapes;
+mod urdf;
 
 pub use described::{Robot, RobotJoint};
 #[cfg(feature = "serde")]

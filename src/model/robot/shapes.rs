@@ -4,9 +4,10 @@ use core::f64::consts::{PI, TAU};
 use std::path::Path;
 
 use nalgebra::{Isometry3, Point3};
-use urdf_rs::{Geometry, Pose};
+use roxmltree::Node;
 
-use super::described::{Robot, fault, pose_in};
+use super::described::{Robot, fault};
+use super::urdf::{at, child, numbers, place, sizes, word};
 use crate::error::Error;
 use crate::touch::{Part, Unit};
 
@@ -44,17 +45,23 @@ struct Faces {
 }
 
 impl Shape {
-    pub(super) fn new(origin: &Pose, geometry: &Geometry) -> Self {
-        let form = match geometry {
-            Geometry::Box { size } => Form::Box(**size),
-            Geometry::Cylinder { radius, length } => Form::Cylinder([*radius, *length]),
-            Geometry::Capsule { radius, length } => Form::Capsule([*radius, *length]),
-            Geometry::Sphere { radius } => Form::Capsule([*radius, 0.0]),
-            Geometry::Mesh { filename, scale } => {
-                Form::Mesh { filename: filename.clone(), scale: scale.map_or([1.0; 3], |scale| *scale) }
-            }
+    /// The shape of a collision element.
+    pub(super) fn read(collision: Node) -> Result<Self, Error> {
+        let shape = child(collision, "geometry").and_then(|geometry| geometry.first_element_child());
+        let shape = shape.ok_or_else(|| at(collision, "has no geometry"))?;
+        let size = |name| sizes(shape, name).map(|[size]| size);
+        let form = match shape.tag_name().name() {
+            "box" => Form::Box(sizes(shape, "size")?),
+            "cylinder" => Form::Cylinder([size("radius")?, size("length")?]),
+            "capsule" => Form::Capsule([size("radius")?, size("length")?]),
+            "sphere" => Form::Capsule([size("radius")?, 0.0]),
+            "mesh" => Form::Mesh {
+                filename: word(shape, "filename")?.to_owned(),
+                scale: numbers(shape, "scale")?.unwrap_or([1.0; 3]),
+            },
+            _ => return Err(at(shape, "is no shape, must be box, cylinder, capsule, sphere or mesh")),
         };
-        Self { origin: pose_in(origin), form }
+        Ok(Self { origin: place(collision)?, form })
     }
 }
 
