@@ -70,7 +70,7 @@ impl Engine {
         // Thirty bisections of the factor t give nine digits, of which two are printed.
         for _ in 0..30 {
             let middle = 0.5 * (stable + unstable);
-            *(if self.is_stable(&stiffness, middle) { &mut stable } else { &mut unstable }) = middle;
+            *(if is_stable(&stiffness, middle) { &mut stable } else { &mut unstable }) = middle;
         }
         Some(-1.0 / unstable)
     }
@@ -130,13 +130,13 @@ impl Engine {
             |i: usize| if is_open(i) { SMatrix::zeros() } else { sticking_springs(&self.sites()[i]) };
         let mut both = (tangent_stiffness(self.sites(), &springs), self.geometric_stiffness(forces, load));
         // A grasp that is stable in every motion does not buckle, so its free motions (which no spring resists) need not be found.
-        if self.is_stable(&both, times) {
+        if is_stable(&both, times) {
             return None;
         }
         let (resisted, largest) = self.resisted_motions(&both.0);
         both.1 = &(&resisted * &both.1) * &resisted;
         add_to_free_motions(&mut both.0, (&resisted, largest));
-        (!self.is_stable(&both, times) && self.is_stable(&both, 0.0)).then_some(both)
+        (!is_stable(&both, times) && is_stable(&both, 0.0)).then_some(both)
     }
 
     /// The projection matrix on the motions that springs with the stiffness K resist, and the largest eigenvalue of K.
@@ -153,12 +153,6 @@ impl Engine {
             resisted.add_product(&mapped(motion, &|x| -x), motion);
         }
         (resisted, values[0])
-    }
-
-    /// Whether `K + t K_g` is positive definite for t = `times`, with the elastic stiffness K and the geometric stiffness K_g.
-    fn is_stable(&self, (elastic, geometric): &(Square, Square), times: f64) -> bool {
-        positive_factors(elastic.size().count(), &|i, j| elastic[(i, j)] + times * geometric[(i, j)])
-            .is_some()
     }
 
     /// The geometric stiffness of contact forces F in the engine's coordinates: for the rotation θ of each body `Σ [(F·r) |θ|² - (F·θ)(r·θ)]`.
@@ -284,6 +278,11 @@ pub(super) fn add_to_free_motions(stiffness: &mut Square, (resisted, largest): (
     for (i, j) in (0..count).flat_map(|j| (0..count).map(move |i| (i, j))) {
         stiffness[(i, j)] += largest * (if i == j { 1.0 } else { 0.0 } - resisted[(i, j)]);
     }
+}
+
+/// Whether `K + t K_g` is positive definite for t = `times`, with the elastic stiffness K and the geometric stiffness K_g.
+fn is_stable((elastic, geometric): &(Square, Square), times: f64) -> bool {
+    positive_factors(elastic.size().count(), &|i, j| elastic[(i, j)] + times * geometric[(i, j)]).is_some()
 }
 
 /// The Cholesky factors of a symmetric matrix; `None` unless it is positive definite.

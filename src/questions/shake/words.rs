@@ -183,7 +183,7 @@ fn moves<const C: usize>(words: Words, by: &[BodyMotion<C>]) -> String {
 impl<const C: usize> fmt::Display for Shakedown<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if let Some(far) = &self.too_far {
-            let with = if !far.is_motion() { "" } else { " with these slips" };
+            let with = if far.is_motion() { " with these slips" } else { "" };
             write!(f, "{}{with}: {}. Otherwise ", LossVerb::from(far), far.reason(Words::of(f)))?;
         }
         if self.factor.is_infinite() {
