@@ -39,7 +39,7 @@
 //! | a squeeze in newtons | [`Contact::pressed_with`](crate::grasp::Contact::pressed_with) |
 //! | a compliance matrix, measured or from finite elements | [`Finger::compliant`](crate::grasp::Finger::compliant) over one contact, a finger, or all |
 //!
-//! [`Hand::grasp`](crate::grasp::Hand::grasp) makes a [`Grasp`](crate::ask::Grasp), with any number of joints. Questions are the same as for any
+//! [`Hand::grasp`](crate::grasp::Hand::grasp) makes a [`Grasp`](crate::ask::Grasp), with any number of joints. It answers the same questions as any
 //! other grasp. Loads act on the object; [torques on joints](crate::ask::Grasp::with_joint_torques) from outside are zero unless given. Answers
 //! contain [joints](crate::equilibrium::Equilibrium::joints) and [tendons](crate::equilibrium::Equilibrium::tendons) in addition to contacts; events,
 //! first slip among them, contain the [drives](crate::load_path::Event::drives) (springs of joints and tendons) that reach their force limit or go

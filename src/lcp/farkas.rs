@@ -26,8 +26,9 @@ impl Lcp {
         self.contradicts(y, &|_| false, &|_| Domain::NotNegative)
     }
 
-    /// Whether y proves that constraints on M z + q and z contradict each other. Rows i with `vanishes(i)` must be zero, all others nonnegative; z_j
-    /// has the values of `domain(j)`. The proof needs y_i ≥ 0 in nonnegative rows, (Mᵀy)_j ≤ 0 for z_j ≥ 0, and qᵀy < 0.
+    /// Whether y proves that constraints on M z + q and z contradict each other. Entry i of M z + q is required to be zero if `vanishes(i)`, else
+    /// nonnegative. z_j is required to be zero or nonnegative, as `domain(j)` says. The proof needs qᵀy < 0, y_i ≥ 0 where entry i is required to be
+    /// nonnegative, and (Mᵀy)_j ≤ 0 where z_j is required to be nonnegative.
     pub(super) fn contradicts(
         &self,
         y: &DVector<f64>,
@@ -140,12 +141,12 @@ impl Lcp {
     }
 }
 
-/// The values that an unknown z_j may have in the constraints that a Farkas vector contradicts.
+/// A constraint on an unknown z_j. A Farkas vector proves that no z satisfies these constraints and those on M z + q.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Domain {
-    /// The unknown is nonnegative: z_j ≥ 0.
+    /// z_j is required to be nonnegative: z_j ≥ 0.
     NotNegative,
-    /// The unknown is zero: z_j = 0.
+    /// z_j is required to be zero: z_j = 0.
     Zero,
 }
 

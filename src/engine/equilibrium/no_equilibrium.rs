@@ -27,9 +27,9 @@ pub struct NoEquilibrium<const C: usize> {
 pub enum Proof<const C: usize> {
     /// No contact resists this unit motion in any contact state, and the load does work along it.
     FreeMotion {
-        /// The unit motion, signed so that the load does positive work along it; its norm is one, as for
-        /// [`Equilibrium::free_motions`](super::Equilibrium::free_motions). The norm combines the translation of the centroid of the contacts, and
-        /// the rotation times the root mean square distance of the contacts from this centroid.
+        /// The unit motion, signed so that the load does positive work along it; its norm is one. The norm combines the translation of the centroid
+        /// of the contacts, and the rotation times the root mean square distance of the contacts from this centroid.
+        /// [`Equilibrium::free_motions`](super::Equilibrium::free_motions) have the same norm.
         motion: Motion<C>,
         /// Work of the load W along the unit motion q, `W·q` > 0, J.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
@@ -38,9 +38,9 @@ pub enum Proof<const C: usize> {
     /// The load lies outside the friction wrench cone. Along this unit motion no admissible contact force does negative work, and the load does
     /// positive work. The proof holds for any stiffness and any command.
     SeparatingMotion {
-        /// The unit motion, signed so that the load does positive work along it; its norm is one, as for
-        /// [`Equilibrium::free_motions`](super::Equilibrium::free_motions). The norm combines the translation of the centroid of the contacts, and
-        /// the rotation times the root mean square distance of the contacts from this centroid.
+        /// The unit motion, signed so that the load does positive work along it; its norm is one. The norm combines the translation of the centroid
+        /// of the contacts, and the rotation times the root mean square distance of the contacts from this centroid.
+        /// [`Equilibrium::free_motions`](super::Equilibrium::free_motions) have the same norm.
         motion: Motion<C>,
         /// Work of the load W along the unit motion q, `W·q` > 0, J.
         #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]

@@ -62,8 +62,9 @@ pub type LoadPath<'g, const C: usize> = Path<'g, C, Event<C>>;
 /// A load program being followed in steps: an iterator over its [`Step`]s, so that the caller can inspect each step and stop after any. Made by
 /// [`Grasp::follow_in_steps`](crate::ask::Grasp::follow_in_steps); when the iterator has ended, [`end`](Self::end) says how the path ended.
 ///
-/// The contact law is the same as for a [`LoadPath`] on the round cone: contacts stick, slide in directions that turn (their slips accumulate), open
-/// and close again. The path does not return the events of contacts one by one; [`state`](Self::state) returns the equilibrium at the present place.
+/// The path obeys the contact law with the round friction cone, as a [`LoadPath`] does: contacts stick, slide in directions that turn (their slips
+/// accumulate), open and close again. The path does not return the events of contacts one by one; [`state`](Self::state) returns the equilibrium at
+/// the present place.
 pub type SteppedPath<'g, const C: usize> = Path<'g, C, Step<C>>;
 
 /// A path of the engine, whose vectors have three components, for a caller whose vectors have `C` components.

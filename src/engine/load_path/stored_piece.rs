@@ -30,11 +30,12 @@ pub(super) struct StoredPiece<'g> {
     pub(super) to: f64,
     /// The static problem at fraction 0 of the leg, with the slips accumulated up to this piece.
     pub(super) problem: Problem<'g>,
-    /// The rates of the contacts' spring offsets in `problem`, m per unit of the fraction.
+    /// The rates at which the spring offsets of the contacts change along the leg, m per unit of the fraction.
     pub(super) change: Vec<SVector<f64, 3>>,
-    /// The load of `problem` as a function of the fraction of the leg.
+    /// The load on the right-hand side of the static problem, in the engine's coordinates: all loads together, as a function of the fraction of the
+    /// leg.
     pub(super) trajectory: Trajectory<Vector>,
-    /// The caller's load as a function of the fraction of the leg.
+    /// The load of the load program, in the caller's coordinates, as a function of the fraction of the leg.
     pub(super) load: Trajectory<Wrench<3>>,
     /// Loads on single bodies at the beginning and at the end of the leg.
     pub(super) bodies: BodyLoads,

@@ -53,7 +53,7 @@ pub struct PadTouch {
     /// Sides of the pad along the first and the second tangent, m, if it is a rectangle.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub rectangle: Option<[f64; 2]>,
-    /// Radius of the pad if it is a disc, m.
+    /// Radius of the pad, m, if it is a disc.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub disc: Option<f64>,
     /// Radius of a round finger, m: the rectangle is bent around an axis along the second tangent.
@@ -66,15 +66,15 @@ pub struct PadTouch {
     /// across the closing direction then matters.
     #[serde(default, skip_serializing_if = "core::ops::Not::not")]
     pub collision_shapes: bool,
-    /// Of a rectangle: numbers of strips in half of each side, with two points each, 2 and 2 if left out (4 and 4 with `collision_shapes`). Of a
-    /// disc: numbers of annuli and of points on a ring, 2 and 8 if left out.
+    /// For a rectangle: the numbers of strips in half of each side of the pad, with two points each; 2 and 2 if left out (4 and 4 with
+    /// `collision_shapes`). For a disc: the numbers of rings, and of points on each ring; 2 and 8 if left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub strips: Option<[usize; 2]>,
     /// The middle of the pad before it closes, m.
     pub from: [f64; 3],
     /// The direction in which the pad closes, of any length.
     pub closing: [f64; 3],
-    /// The elastic layer of the pad, in place of a stiffness of the contact.
+    /// The soft elastic layer that covers the pad, in place of a finger stiffness of the contact.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub layer: Option<PadLayer>,
     /// The grasped part, once its mesh is read.
@@ -85,14 +85,14 @@ pub struct PadTouch {
     pub shape: Option<Arc<Pad>>,
 }
 
-/// An elastic layer, see [`Pad::of_layer`].
+/// The soft elastic layer that covers a pad and takes the place of its springs; see [`Pad::of_layer`].
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize, serde::Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct PadLayer {
-    /// Young's modulus, Pa.
+    /// Young's modulus of the soft layer, Pa.
     pub modulus: f64,
-    /// Thickness, m.
+    /// Thickness of the soft layer, m.
     pub thickness: f64,
 }
 

@@ -13,7 +13,7 @@ pub(crate) fn tangential(v: &SVector<f64, 3>) -> SVector<f64, 3> {
     t
 }
 
-/// The length of the tangential part. It is correct even if its square underflows, as for a contact that hardly presses.
+/// The length of the tangential part. It is correct even if its square underflows: the force of a contact that hardly presses may be that small.
 #[inline(always)]
 pub(crate) fn tangential_norm(v: &SVector<f64, 3>) -> f64 {
     let square: f64 = v.iter().skip(1).map(|x| x * x).sum();

@@ -1,4 +1,5 @@
-//! The optimality conditions of the quadratic program of minimum energy on orthogonal factors, and their solution.
+//! The optimality conditions of the quadratic program of minimum energy on orthogonal factors, and their solution. A constraint binds at a point if
+//! it holds there as an equality. All springs act, except the normal springs of contacts whose gap is open.
 //!
 //! Let K be the stiffness, a the offsets of the contacts, G the grasp map and q the motion of the object. The offset is the command (displacement
 //! that the finger would make if there were no object) less the clearance. A = K^{1/2}Gᵀ has an orthogonal factor Q and a triangular factor R, A =
@@ -47,15 +48,15 @@ pub(super) struct EnergyProgram<'g> {
     pub(super) friction: Vec<ForceCondition>,
 }
 
-/// The constraints that are active at a point of the quadratic program. `open` is true for each contact whose gap is open. `binding` holds the
-/// indices of the binding friction constraints in [`EnergyProgram::friction`].
+/// Which constraints bind at a point of the quadratic program. For each contact, `open` is true if its gap is open, so that ĝ >= 0 does not bind.
+/// `binding` has the index in [`EnergyProgram::friction`] of each friction constraint that binds.
 #[derive(Debug, Clone)]
 pub(super) struct Faces {
     pub(super) open: Vec<bool>,
     pub(super) binding: Vec<usize>,
 }
 
-/// A candidate for the minimum of energy: contact forces, motion of the object, gaps, multipliers, and motions that stretch no active spring.
+/// A candidate for the minimum of energy: contact forces, motion of the object, gaps, multipliers, and motions that stretch no acting spring.
 #[derive(Debug, Clone)]
 pub(super) struct ProgramPoint {
     pub(super) forces: Vec<SVector<f64, 3>>,
@@ -135,7 +136,7 @@ impl<'g> EnergyProgram<'g> {
         faces
     }
 
-    /// The springs that act with these open gaps: the normal spring of a contact with an open gap does not act.
+    /// The acting springs: all but the normal springs of contacts whose gap is open.
     pub(super) fn springs(&self, faces: &Faces) -> LinearProblem {
         axis_springs(self.problem.sites, &|contact, axis| axis > 0 || !faces.open[contact])
     }
@@ -152,8 +153,8 @@ impl<'g> EnergyProgram<'g> {
     }
 
     /// The candidate for the minimum with these open gaps and binding friction constraints. `None` if binding constraints are linearly dependent, or
-    /// the active springs do not resist the load. The active springs may leave motions free; then the motion of least norm is taken. If this motion
-    /// makes a gap negative, a free motion is added: the part of `near`, the motion in Lemke's solution, that stretches no active spring.
+    /// the acting springs do not resist the load. The acting springs may leave motions free; then the motion of least norm is taken. If this motion
+    /// makes a gap negative, a free motion is added: the part of `near`, the motion in Lemke's solution, that stretches no acting spring.
     pub(super) fn on_faces(
         &self,
         faces: &Faces,
@@ -180,7 +181,7 @@ impl<'g> EnergyProgram<'g> {
         let mut gaps = gaps_at(&twist);
         let free = springs.free_motions().to_vec();
         if gaps.iter().any(|gap| *gap < 0.0) {
-            // Some motions stretch no active spring, but change open gaps. The motion of Lemke's solution makes no gap negative, so its part along
+            // Some motions stretch no acting spring, but change open gaps. The motion of Lemke's solution makes no gap negative, so its part along
             // these motions is added.
             twist += free.iter().fold(Vector::zeros(), |sum, v| sum + v * v.dot(near));
             gaps = gaps_at(&twist);
@@ -192,11 +193,10 @@ impl<'g> EnergyProgram<'g> {
     /// Makes the binding friction constraints hold as equalities: N x = 0, with the rows N of these constraints and the forces x in energy
     /// coordinates. On entry `forces` balance the load without regard to the constraints (then x is x'); on return `forces` satisfy them.
     /// `multipliers` receive the multipliers λ of the constraints. Returns the change of the motion q as p = R q, with the triangular factor R of the
-    /// active springs. `None` if constraints are linearly dependent.
+    /// acting springs. `None` if constraints are linearly dependent.
     ///
-    /// The normal springs of open gaps are removed. The normal component x_n at such a contact is determined by the multipliers λ alone,
-    /// `x_n = (Nᵀλ)_n`. Let Q be the orthogonal factor of the active springs, N_n the columns of N for these normal components, and `M = [N Q, N_n]`.
-    /// Then
+    /// The normal springs of open gaps are removed. The normal component x_n at such a contact is determined by the multipliers λ alone, `x_n =
+    /// (Nᵀλ)_n`. Let Q be the orthogonal factor of the acting springs, N_n the columns of N for these normal components, and `M = [N Q, N_n]`. Then
     ///
     /// ```text
     /// N x' + M Mᵀλ = 0,     x = x' + Q (first part of Mᵀλ)

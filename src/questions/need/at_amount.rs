@@ -35,7 +35,8 @@ impl<const C: usize> Grasp<C> {
     /// ```
     ///
     /// # Errors
-    /// As for [`Self::need`].
+    /// [`Error::Wrench`] if a load is not finite or beyond 1e50. [`Error::Question`] if a field is missing or belongs to another quantity.
+    /// [`Error::Argument`] for a number out of range, and for a contact that does not exist. [`Error::Part`] if no part with the given name presses.
     pub fn with_amount(&self, need: &Need<C>, amount: f64) -> Result<Option<(Self, Equilibrium<C>)>, Error> {
         inside(need).set_on(&inside(self), amount).map(|set| set.map(outside))
     }

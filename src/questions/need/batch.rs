@@ -87,7 +87,8 @@ impl<const C: usize> Grasp<C> {
     /// ```
     ///
     /// # Errors
-    /// Of a row: as for [`Self::need`]; [`Error::Question`] for another quantity or demand.
+    /// A row has the error [`Error::Question`] if another quantity or demand is asked for. It has [`Error::Wrench`] if its load is not finite or
+    /// beyond 1e50, [`Error::Contact`] or [`Error::EmptyGrasp`] if its contacts form no valid grasp.
     #[must_use]
     pub fn need_batch(
         rows: usize,

@@ -42,9 +42,9 @@ impl<const C: usize> Grasp<C> {
     /// ```
     ///
     /// # Errors
-    /// As for [`Self::hold`] of its loads. [`Error::Argument`] for reductions of friction or squeeze outside `0 <= part < 1`, and for a factor of
-    /// safety outside `0 < factor <= 1e50`; also for a contact that does not exist. [`Error::Question`] for repeated loads with a force of any
-    /// direction, and if the load at rest is sought but not given. [`Error::Part`] if no part with the given name presses.
+    /// [`Error::Wrench`] if a load is not finite or beyond 1e50. [`Error::Argument`] for reductions of friction or squeeze outside `0 <= part < 1`,
+    /// and for a factor of safety outside `0 < factor <= 1e50`; also for a contact that does not exist. [`Error::Question`] for repeated loads with a
+    /// force of any direction, and if the load at rest is sought but not given. [`Error::Part`] if no part with the given name presses.
     #[doc(alias = "grip force")]
     #[doc(alias = "required")]
     pub fn need(&self, need: &Need<C>) -> Result<Needed, Error> {

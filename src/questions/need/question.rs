@@ -1,7 +1,7 @@
 //! A [`Need`]: the sought quantity (squeeze, friction, load, arm, angle or force), the loads and the demand. A value of the quantity is an amount. It
 //! is sufficient if the grasp meets the demand with it, for example holds the object. It is safe if it is sufficient also with less friction and
-//! squeeze, or with larger loads. The squeeze is all that presses without a load; at rest means under the loads that act before the loads of the
-//! question.
+//! squeeze, or with larger loads. The squeeze is everything by which contacts press at rest without a load. At rest means before the loads of the
+//! question act; the load at rest, if there is one, acts already.
 
 use alloc::collections::BTreeMap;
 
@@ -41,7 +41,8 @@ impl Demand {
     }
 }
 
-/// A sought quantity with its loads, demand and safety. [`Grasp::need`](crate::ask::Grasp::need) refuses invalid values.
+/// A question: the sought quantity, the loads, the demand and the deviations for the safe amount. [`Grasp::need`](crate::ask::Grasp::need) refuses
+/// invalid values.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(deny_unknown_fields))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -54,13 +55,13 @@ pub struct Need<const C: usize> {
     /// The load at rest; none if not given. It is constant, unless a force without `of` is sought: amounts then multiply the load at rest.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(crate) base: Option<Wrench<C>>,
-    /// One load. For an arm: the wrench of the force at displacement 0.
+    /// The load that the grasp has to bear. If an arm is sought: the wrench of the force at the arm 0.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(super) load: Option<Wrench<C>>,
-    /// Several loads, one at a time.
+    /// Several loads that the grasp has to bear, one at a time.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub(super) loads: Vec<Wrench<C>>,
-    /// Size of a force of any direction, N, which acts at the point `at` in addition to `load`.
+    /// Magnitude of a force of any direction, N, which acts at the point `at` in addition to `load`.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(super) any_force: Option<f64>,
     /// Point at which the force of any direction acts, m; the origin if not given.
@@ -70,7 +71,7 @@ pub struct Need<const C: usize> {
     )]
     #[cfg_attr(feature = "schema", schemars(!default))]
     pub(super) at: Option<SVector<f64, C>>,
-    /// A load that turns.
+    /// A load that turns, in place of `load` and `loads`.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(crate) turn: Option<Turn<C>>,
     /// For an arm: the change of the load per metre of displacement.
@@ -86,7 +87,7 @@ pub struct Need<const C: usize> {
     /// not given, the load at rest, `base`, is sought.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(super) of: Option<String>,
-    /// Loads of further bodies, by name, which grow together with `load`. If they are given, `base` must not be given.
+    /// Loads on further bodies, by their names, which grow in proportion to `load`. If they are given, `base` must not be given.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "BTreeMap::is_empty"))]
     pub(crate) together_with: BTreeMap<String, Wrench<C>>,
     /// For the safe amount: factor by which the loads are multiplied; 1 if not given.
@@ -98,7 +99,7 @@ pub struct Need<const C: usize> {
     /// For the safe amount: relative reduction of the squeeze, from 0 to less than 1. The default is 0.05, or 0 if `safety` is given.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub(super) squeeze_less: Option<f64>,
-    /// Number of amounts tried around the least or greatest sufficient amount.
+    /// Number of amounts that are tried on both sides of the least or greatest sufficient amount once this is found.
     #[cfg_attr(feature = "serde", serde(skip, default = "default_scan"))]
     pub(super) scan: usize,
     /// Format of numbers in the sentences about insufficient amounts.
@@ -137,8 +138,8 @@ impl<const C: usize> Need<C> {
 
     /// The least squeeze for these loads, as a multiple of the given squeeze.
     ///
-    /// The squeeze consists of all commands, scaled in proportion as [`Grasp::squeezed`](crate::ask::Grasp::squeezed) does, including the commands of
-    /// joints and the torques that hold joints.
+    /// The squeeze consists of all commands of contacts, joints and tendons, and of the constant torques on joints; all are multiplied by the same
+    /// number. [`Grasp::squeezed`](crate::ask::Grasp::squeezed) does this for a given number.
     #[doc(alias = "grip force")]
     #[doc(alias = "clamping force")]
     #[must_use]
@@ -164,15 +165,16 @@ impl<const C: usize> Need<C> {
         Self { contact, contacts, ..Self::friction(loads) }
     }
 
-    /// The greatest multiple x of these loads, `base + x load`: the greatest mass, or acceleration. [`Self::on_top_of`] sets the base.
+    /// The greatest multiple x of these loads with which the total load `base + x load` meets the demand; for a weight it gives the greatest mass.
+    /// [`Self::on_top_of`] sets the load at rest, `base`.
     #[doc(alias = "payload")]
     #[must_use]
     pub fn load(loads: impl Into<Loads<C>>) -> Self {
         Self::of(Quantity::Load, loads)
     }
 
-    /// The greatest displacement x of a force, m. The load is `at + x per_metre`: `at` is its wrench at x = 0 (N, N m), `per_metre` the change of
-    /// that wrench per metre.
+    /// The greatest displacement x, m, of the point at which a force acts. The load is `at + x per_metre`: `at` is its wrench at x = 0 (N, N m),
+    /// `per_metre` the change of that wrench per metre.
     ///
     /// ```
     /// use grasp_lcp::need::Need;
@@ -192,8 +194,9 @@ impl<const C: usize> Need<C> {
 
     /// The least force of the named part for these loads, as a multiple of its given force.
     ///
-    /// The force of a part is the load of a body, a lever or a screw. For a contact, a cable or a joint it is the command or force. All other parts
-    /// keep their forces. If still larger multiples are insufficient again, [`Amount::Bound`](super::Amount::Bound) contains this limit in `until`.
+    /// The part may be a body, for example a lever or a screw: its force is the load on this body. For a contact, a cable or a joint it is the
+    /// command or the constant force. All other parts keep their forces. If much larger multiples are insufficient again, the field `until` of
+    /// [`Amount::Bound`](super::Amount::Bound) has the largest sufficient multiple.
     ///
     /// ```
     /// use grasp_lcp::need::Need;
@@ -230,8 +233,8 @@ impl<const C: usize> Need<C> {
         Self::of(Quantity::Angle, Loads::Turn(turn))
     }
 
-    /// This need with a load at rest (N, N m), which acts before the other loads and stays constant. If a push is sought, the load at rest may be the
-    /// weight of the object. Neither amounts nor factors of safety scale it; only the amount of [`Self::load_at_rest`] does.
+    /// This need with a load at rest (N, N m), which acts before the other loads and stays constant. For example, if the greatest push on an object
+    /// is sought, the load at rest is its weight. Neither amounts nor factors of safety multiply it; only the amount of [`Self::load_at_rest`] does.
     ///
     /// ```
     /// use grasp_lcp::need::Need;
@@ -304,30 +307,34 @@ impl<const C: usize> Need<C> {
         self
     }
 
-    /// As [`Self::to_rest`], with the weaker demand that the object does not [walk](Demand::Stays): contacts may slide to and fro for ever.
+    /// This need with the demand that the object does not [walk](Demand::Stays) while the loads are applied and removed in turn, again and again.
+    /// Contacts may slide to and fro for ever, so this demand is weaker than that of [`Self::to_rest`].
     #[must_use]
     pub fn to_stay(mut self) -> Self {
         self.demand = Demand::Stays;
         self
     }
 
-    /// This need with a safe amount in the answer. It is the amount that is sufficient with coefficients of friction `(1 - friction) μ` and
-    /// `1 - squeeze` times the squeeze. Both reductions are from 0 to less than 1.
+    /// This need with a safe amount in the answer: the amount that is sufficient even if all coefficients of friction are lower by the fraction
+    /// `friction`, and the squeeze by the fraction `squeeze`. Both fractions are from 0 to less than 1.
     ///
-    /// The defaults are 0.1 and 0.05. If both are 0 and [`Self::with_safety`] does not enlarge the loads, the answer has no safe amount.
+    /// Without this call the fractions are 0.1 and 0.05. If both are 0 and [`Self::with_safety`] does not enlarge the loads, the answer has no safe
+    /// amount.
     #[must_use]
     pub fn if_lower_by(self, friction: f64, squeeze: f64) -> Self {
         self.if_friction_lower_by(friction).if_squeeze_lower_by(squeeze)
     }
 
-    /// This need with a safe amount in the answer, for coefficients of friction that are lower by the fraction `part`, as for [`Self::if_lower_by`].
+    /// This need with a safe amount in the answer: the amount that is sufficient even if all coefficients of friction are lower by the fraction
+    /// `part` (0.1 is 10 %), from 0 to less than 1. [`Self::if_lower_by`] lowers the squeeze, too.
     #[must_use]
     pub fn if_friction_lower_by(mut self, part: f64) -> Self {
         self.friction_less = Some(part);
         self
     }
 
-    /// This need with a safe amount in the answer, for a squeeze that is lower by the fraction `part`, as for [`Self::if_lower_by`].
+    /// This need with a safe amount in the answer: the amount that is sufficient even if the squeeze is lower by the fraction `part` (0.1 is 10 %),
+    /// from 0 to less than 1. [`Self::if_lower_by`] lowers the coefficients of friction, too.
     #[must_use]
     pub fn if_squeeze_lower_by(mut self, part: f64) -> Self {
         self.squeeze_less = Some(part);
@@ -335,7 +342,7 @@ impl<const C: usize> Need<C> {
     }
 
     /// This need with a safe amount in the answer, for loads multiplied by `factor` in place of reduced friction and squeeze. After a later
-    /// [`Self::if_lower_by`] the safe amount takes the larger loads and the reductions into account. The load at rest keeps its size.
+    /// [`Self::if_lower_by`] the safe amount takes the larger loads and the reductions into account. The load at rest is not multiplied.
     #[doc(alias = "factor of safety")]
     #[must_use]
     pub fn with_safety(mut self, factor: f64) -> Self {
@@ -351,22 +358,22 @@ impl<const C: usize> Need<C> {
         self
     }
 
-    /// This need with another number format in the sentences about insufficient amounts (default: 6 digits).
+    /// This need with the number format `words` in the sentences about insufficient amounts; by default numbers have 6 digits.
     #[must_use]
     pub fn with_words(mut self, words: Words) -> Self {
         self.words = words;
         self
     }
 
-    /// This need with another number of amounts that are tried around the bound once it is found (default 6). These amounts show further changes
-    /// between sufficient and insufficient. With 0 no such amounts are tried.
+    /// This need with the number of amounts that are tried on both sides of the least or greatest sufficient amount once this is found; by default 6.
+    /// They may show that amounts farther away are insufficient again, or sufficient again. With 0 no such amounts are tried.
     #[must_use]
     pub fn with_scan(mut self, amounts: usize) -> Self {
         self.scan = amounts;
         self
     }
 
-    /// The single load, or the constant load that acts together with a force of any direction.
+    /// The load of the question, if it is given as a single load; or the constant load that acts together with a force of any direction.
     #[must_use]
     pub fn given_load(&self) -> Option<Wrench<C>> {
         self.load

@@ -13,26 +13,27 @@ use super::trial::{NOT_AT_REST, Trial};
 use crate::error::Error;
 use crate::prelude::*;
 
-/// The functions with which a search finds out whether an amount is sufficient.
+/// The functions with which a search finds out whether an amount is sufficient. They differ in the time that a trial takes and in what it can decide.
 #[derive(Clone, Copy)]
 pub(super) struct TrialFunctions<'t> {
-    /// Full trials, which include the enumeration of contact states in the search for equilibria.
+    /// The full trial of an amount. If no other search finds an equilibrium at rest, it enumerates combinations of contact states.
     pub(super) whole: TrialOf<'t>,
-    /// Full trials, but load paths end at the loads of the question. The trial of a sufficient amount then does not tell how far it is from the
-    /// bound. A force of any direction is tried only in directions that are known to be weak.
+    /// A full trial whose load paths end at the loads of the question. For a sufficient amount it does not tell how far the amount is from the bound.
+    /// A force of any direction is tried only in directions that are known to be weak.
     pub(super) short: TrialOf<'t>,
-    /// Quick trials omit the enumeration of many contact states, which is slowest if no equilibrium exists. If only the enumeration can decide, the
-    /// trial is undecided. With the flag `true`, load paths also end at the loads of the question, as in the trials `short`.
+    /// The quick trial of an amount omits the enumeration of many contact states, which is slowest if no equilibrium exists. If only the enumeration
+    /// can decide, the trial is undecided. If the flag is `true`, load paths end at the loads of the question.
     pub(super) quick: &'t dyn Fn(f64, bool) -> Result<Trial, Error>,
     /// Whether another path leads to the verdict with one amount than with another, both with full trials: contact states at rest (before the loads
     /// act), jumps, or the kind of proof that no equilibrium at rest exists.
     pub(super) differ: &'t dyn Fn(f64, f64) -> bool,
     /// An estimate of the amount, between a sufficient and an insufficient one, at which the first contact at rest changes its state.
     pub(super) rest_ends: &'t dyn Fn(f64, f64) -> Option<f64>,
-    /// Whether the question has a force of any direction. Full trials may then find directions in which it is not carried, and later quick trials
-    /// include these directions.
+    /// Whether the question has a force of any direction. A full trial may then find a direction in which the force is not carried; later quick
+    /// trials test this direction, too.
     pub(super) learns: bool,
-    /// Whether the grasp is planar. The amounts at which contact states change are then computed up to rounding, without an error of iteration.
+    /// Whether the grasp is planar. In the plane the amounts at which contact states change are computed up to rounding; in space an iteration leaves
+    /// a larger error.
     pub(super) is_planar: bool,
 }
 
@@ -49,13 +50,13 @@ impl TrialFunctions<'_> {
 pub(super) enum BoundSearch {
     /// The bracket of the bound.
     Threshold(Threshold),
-    /// All amounts that were tried are sufficient; this is the last amount tried.
+    /// All amounts tried towards harder ones (less squeeze, more load) are sufficient; this is the last of them.
     All(f64),
     /// No amount is sufficient. The list has the amounts known before the search, then the amounts of the search in the order of the trials.
     Nothing(Vec<(f64, Trial)>),
 }
 
-/// How the bound is estimated from the carried part c of the load with an amount x. With the amount at the bound, c is 1.
+/// How the bound is estimated from one trial: with the amount x the part c of the load is carried. With the amount at the bound, c is 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum BoundEstimate {
     /// The bound is about `x c`, because the load itself is the sought quantity.
@@ -74,17 +75,17 @@ pub(super) struct SearchPlan {
     pub(super) start: f64,
     /// The least and the greatest amount tried.
     pub(super) limits: [f64; 2],
-    /// The range of amounts that are not proved insufficient.
+    /// The range of amounts outside which all amounts are proved insufficient, because contact forces cannot balance the loads.
     pub(super) range: Range,
     /// True if the least sufficient amount is sought, false if the greatest is sought.
     pub(super) is_least: bool,
-    /// How the bound is estimated from a carried part of the load.
+    /// How the bound is estimated from the carried part of the load in one trial.
     pub(super) guess: BoundEstimate,
     /// Whether it is known that with a sufficient amount every easier one (such as more squeeze or less load) is sufficient, too. This holds as far
     /// as motions are small.
     pub(super) is_monotone: bool,
-    /// Whether the search goes in both directions and between the amounts tried. Otherwise it tries only a few easier amounts, such as more squeeze
-    /// or less load.
+    /// True if the search for a sufficient amount goes in both directions and between the amounts tried. False if it tries only a few easier amounts,
+    /// such as more squeeze or less load.
     pub(super) everywhere: bool,
     /// The relative width of the bracket at which the search ends, as a function of the number of steps made.
     pub(super) enough: WidthSchedule,
@@ -103,7 +104,8 @@ impl SearchPlan {
         self.low() <= amount && amount <= self.high()
     }
 
-    /// The upper (if `up`) or lower end of the range, if it is proved that with an amount beyond it no contact forces balance the loads.
+    /// The upper end of the range if `up`, else the lower end. With every amount beyond this end it is proved that no contact forces balance the
+    /// loads. `None` if nothing is proved on this side.
     pub(super) fn end(&self, up: bool) -> Option<f64> {
         if up { self.range.high } else { self.range.low }
     }
@@ -137,9 +139,9 @@ impl SearchPlan {
         Some(if self.is_least { end * (1.0 - part) } else { end * (1.0 + part) })
     }
 
-    /// Estimates of the bound of the sufficient amounts, in the order in which they are tried. First come estimates from the carried part of the load
-    /// at both ends of a bracket. Then follow amounts on both sides of the proved end of the range, beyond which forces cannot balance the loads. If
-    /// friction is sought, amounts next to an estimate of the least coefficient from a secant (`likely`) are included.
+    /// Estimates of the bound, in the order in which they are tried. First come estimates from the carried part of the load at both ends of a
+    /// bracket. Then follow amounts on both sides of the proved end of the range, beyond which contact forces cannot balance the loads. If friction
+    /// is sought, two of them lie next to an estimate of the least coefficient (`likely`), which secants gave.
     fn guesses(
         &self,
         (sufficient, trial): (f64, &Trial),
@@ -183,9 +185,9 @@ impl SearchPlan {
     }
 }
 
-/// Searches for the bound of the sufficient amounts. From a sufficient first amount the search goes towards harder amounts (less squeeze, more load),
-/// from an insufficient first amount towards easier amounts. If no amount in that direction is sufficient, the other direction is tried, then the
-/// intervals between the amounts tried. Trials in `known` are not repeated.
+/// Searches for the bound, the least or greatest sufficient amount. First a sufficient amount is needed: the hardest one in `known`, the trials made
+/// before, or else the first amount of the plan. If that is insufficient, easier amounts (more squeeze, less load) are tried, then harder amounts,
+/// then amounts between those tried. From the sufficient amount the search goes towards harder amounts until one is insufficient.
 pub(super) fn search(
     tries: TrialFunctions<'_>,
     plan: &SearchPlan,
@@ -256,7 +258,7 @@ pub(super) fn decided(tries: TrialOf<'_>, at: f64, width: Option<f64>) -> Result
         let beside = |part: f64| width.map_or(at * (1.0 + part), |width| at + part * width);
         // Neighbours are tried so that one undecided amount does not end the search. As a rule a verdict is undecided because two contacts change
         // their states at the same load. Neighbours that differ from `at` by less than the fraction 1e-9 might be undecided for the same reason. In a
-        // narrow bracket two neighbours are enough.
+        // narrow bracket only two neighbours are tried.
         let is_narrow = width.is_some_and(|width| width <= 1e-6 * at.abs());
         let offsets: &[f64] = match width {
             Some(_) if is_narrow => &[0.3, -0.3],
@@ -324,8 +326,8 @@ fn first_sufficient(
     }
 }
 
-/// The bracket of the bound. From a sufficient amount the search goes towards harder amounts (less squeeze, more load) until one is insufficient.
-/// Then it narrows the bracket.
+/// The bracket of the bound, found from a sufficient amount and the result of its trial. Harder amounts (less squeeze, more load) are tried until one
+/// is insufficient. Then the bracket is narrowed. `vain` has the insufficient amounts tried before.
 fn edge_from(
     tries: TrialFunctions<'_>,
     plan: &SearchPlan,

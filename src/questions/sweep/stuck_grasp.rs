@@ -28,7 +28,8 @@ use crate::prelude::*;
 /// there. The second round finds the smallest errors with these interactions.
 const ROUNDS: usize = 2;
 
-/// For each contact or drive and each of its facets, the interaction of the errors of all data.
+/// One list for each contact or drive, with one entry for each facet of a polygonal friction cone, or a single entry for a round cone: how the errors
+/// of all data together change the contact force, beyond the sum of the changes due to single errors.
 type Interactions = Vec<Vec<Interaction>>;
 
 /// A load added to the base load: `factor` times `direction`. One unit of `direction` causes the forces `rate`.
@@ -57,7 +58,8 @@ pub(super) struct StuckGrasp {
     base: SourceForces,
     /// Contact forces that the base load alone causes.
     by_base_load: SourceForces,
-    /// For each contact or drive and each of its facets, the interaction of the errors of all data under the base load.
+    /// How the errors of all data together change the forces under the base load, beyond the sum of the changes due to single errors. The lists have
+    /// one entry for each facet.
     joint_at_base: Interactions,
     /// The failures of contacts (they cease to stick) that errors of the data may cause under the base load.
     fails_at_base: Failures,
@@ -122,8 +124,9 @@ impl StuckGrasp {
         (1.0 - NEGLECTED_SHARE) * normal_tail(self.sigmas)
     }
 
-    /// The interactions of the errors of data, at the smallest errors with which margins vanish, under the base load and, if given, a further load.
-    /// These errors are computed with the interactions `before` of the previous round.
+    /// The interactions of the errors of data under the base load and, if given, the further load `more`. The interaction for a facet is computed at
+    /// the smallest errors with which the margin of this facet vanishes. These errors are computed with the interactions `before` of the previous
+    /// round.
     fn joint(&self, more: Option<AddedLoad<'_>>, before: &Interactions) -> Interactions {
         let load = more.map_or(self.base_load, |more| self.base_load + *more.direction * more.factor);
         let mut memory = Vec::new();

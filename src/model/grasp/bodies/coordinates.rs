@@ -117,14 +117,15 @@ impl Engine {
         self.bodies().map_or_else(|| Err(no_body(name)), |bodies| bodies.called(name))
     }
 
-    /// A copy of this grasp at a point of a load program, which has applied `loads` to the bodies. Each body carries its entry in addition to its
-    /// constant load. The grasp of a single object stays unchanged.
+    /// A copy of this grasp in which `loads`, one for each body, act in addition to the constant loads of the bodies. A load program has applied
+    /// these loads up to one of its points. The grasp of a single object is copied unchanged.
     pub(crate) fn under_body_loads(&self, loads: Vec<Wrench<3>>) -> Self {
         self.bodies().map_or_else(|| self.clone(), |bodies| self.with_bodies(bodies.under(loads)))
     }
 
-    /// A copy of this grasp at a point of a load program, which has applied `loads`. Each entry of `loads` names its body; other bodies have no such
-    /// load. An answer about a point of a load program lists these loads; further questions about this point are asked of the copy.
+    /// A copy of this grasp in which `loads` act in addition to the constant loads of the bodies. Each entry of `loads` names its body. An answer
+    /// about a point of a load program lists the loads that the program has applied to bodies. Further questions about this point are asked of the
+    /// copy with these loads.
     pub(crate) fn with_body_loads(&self, loads: &[BodyLoad<3>]) -> Result<Self, Error> {
         let mut all = vec![Wrench::ZERO; self.bodies().map_or(0, |bodies| bodies.names.len())];
         for BodyLoad { body, load } in loads {

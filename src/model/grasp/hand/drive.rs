@@ -100,7 +100,9 @@ impl Drive {
         site
     }
 
-    /// Stretch of the drive's spring under these commands of joints and tendons, along the axes of the drive's contact frame, m.
+    /// Stretch of the drive's spring, m, if joints and tendons have these commands and no displacements. It is a vector in the drive's contact frame,
+    /// with one component along the normal and two along the tangents. The component along [`Self::axis`] is the stretch. For a drive that slips, the
+    /// normal component produces the bound of the force.
     pub(super) fn stretch(&self, commands: &[f64]) -> SVector<f64, 3> {
         let mut stretch = self.change(commands);
         stretch[self.axis()] += self.rest;
@@ -110,8 +112,8 @@ impl Drive {
         stretch
     }
 
-    /// Change of the stretch of the drive's spring for a change of the commands of joints and tendons, along the axes of the drive's contact frame,
-    /// m.
+    /// Change of the stretch of the drive's spring, m, if the commands of joints and tendons change by `commands`. It is a vector in the drive's
+    /// contact frame, whose component along [`Self::axis`] is the change; the others are zero.
     pub(super) fn change(&self, commands: &[f64]) -> SVector<f64, 3> {
         let mut stretch = SVector::zeros();
         stretch[self.axis()] = summed(&self.commands, &|(k, weight)| weight * commands[*k]);
@@ -141,7 +143,7 @@ impl Drive {
     }
 
     /// Derivative of the drive's force with respect to the stiffness (N m/rad or N/m) of its joint or tendon, at constant stretch. It is a vector in
-    /// the drive's contact frame.
+    /// the drive's contact frame (normal, two tangents), in which only the component along [`Self::axis`] is not zero.
     pub(crate) fn by_stiffness(&self, force: &SVector<f64, 3>) -> SVector<f64, 3> {
         let mut more = SVector::zeros();
         // If the drive has no force, the spring of its upper half carries the upper bound, and the spring of its lower half the magnitude of the
@@ -155,8 +157,9 @@ impl Drive {
         more
     }
 
-    /// Derivatives with respect to the torque limit of the joint or the tension limit of the tendon. The first is the derivative of the drive's
-    /// stretch, in its contact frame. The second is the derivative of the constant generalised forces on the coordinates.
+    /// Derivatives with respect to the torque limit of the joint or the tension limit of the tendon. The first is the derivative of the stretch of
+    /// the drive's spring, as a vector in its contact frame (normal, two tangents). The second is the derivative of the constant generalised forces
+    /// on the coordinates.
     pub(crate) fn by_limit(&self) -> (SVector<f64, 3>, Vector) {
         let (mut stretch, per_force) = (SVector::zeros(), 1.0 / self.unit);
         let held = match self.role {
@@ -200,7 +203,7 @@ impl Drive {
     /// Displacement of the joint or tendon, rad or m, that corresponds to a displacement of the drive, m. Changes of commands are converted in the
     /// same way.
     pub(crate) fn displacement(&self, along: f64) -> f64 {
-        // The work, force times displacement, is the same for the drive as for its joint or tendon.
+        // The drive and its joint or tendon do the same work, force times displacement, and `unit` is the ratio of their forces.
         along / self.unit
     }
 }
