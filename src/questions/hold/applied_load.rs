@@ -30,11 +30,12 @@ use crate::prelude::*;
 pub(crate) enum VerdictScope {
     /// All fields of the [`Verdict`]. The path is followed to `Settings::most_load`, to the loss of equilibrium or to the end of small motions.
     Whole,
-    /// Like `Whole`, but the path does not end where motions cease to be small before the whole load is reached. It is followed further, to the whole
-    /// load or the loss. [`PathFacts::farthest`] is then the largest ratio of a motion to its limit up to the whole load or the loss.
+    /// All fields of the [`Verdict`]. If motions cease to be small before the whole load is reached, the path is followed further, to the whole load
+    /// or the loss. [`PathFacts::farthest`] is then the largest ratio of a motion to its limit up to there.
     Measured,
-    /// Like `Measured`, but without three things: the proof that no equilibrium exists near the loss, the data that only sentences need, and the
-    /// fraction of the base load at which equilibrium is lost. That fraction takes a path on which the base load grows from zero.
+    /// The path is followed as for `Measured`: to the whole load or the loss, even if motions cease to be small before. Three things are not
+    /// computed: the proof that no equilibrium exists near the loss, the data that only sentences need, and the fraction of the base load at which
+    /// equilibrium is lost. That fraction needs a second path, on which the base load grows from zero.
     Decided,
     /// Only the fields that a [`super::ShortVerdict`] needs: no equilibria, no proofs and no data for sentences. The path is followed to
     /// `Settings::most_load`, to the loss of equilibrium or to the end of small motions.
@@ -227,8 +228,8 @@ impl Engine {
         held_to: f64,
     ) -> Option<f64> {
         let rest = rest.filter(|_| ramp.command_change.is_none() && ramp.joint_change.is_none());
-        // The first fraction leaves the load out. If the points of action of the load are known, the path has already decided whether the grasp
-        // buckles, and a fraction of -1 or less, which contradicts that decision, is dropped.
+        // The first fraction does not count the turning of the load. If the points of action of the load are known, the path has already decided
+        // whether the grasp buckles. A fraction of -1 or less, which contradicts that decision, is then dropped.
         let is_open = |part: &f64| *part > -1.0 || !self.may_buckle(&ramp.load_at(1.0));
         let by_the_load =
             rest.zip(there).and_then(|(rest, there)| self.left_out_by_small_motions(rest, there));
@@ -237,7 +238,8 @@ impl Engine {
         by_the_load.filter(is_open).into_iter().chain(by_forces).chain(by_rotations).min_by(f64::total_cmp)
     }
 
-    /// The [`Holding`] if the path ended before it reached the whole load: equilibrium was lost or not found at the start, or the path is undecided.
+    /// The conclusion [`Holding`] if the path ended before it reached the whole load. There are three cases: equilibrium was lost, no equilibrium was
+    /// found at the start, or the path could not be continued.
     fn holding_of_end(
         &self,
         path: &LoadPath<'_, 3>,
@@ -295,9 +297,9 @@ impl Engine {
         Some(Box::new(Lost { state: None, ..lost }))
     }
 
-    /// The [`Holding`] if the whole load is held: [`Holding::Loose`], [`Holding::Sticks`] or [`Holding::Slides`]. A contact has slid if it slides
-    /// under the whole load, slipped in a jump, or began to slide at an event of the path. The slip stored in the equilibrium is no sign of sliding:
-    /// a contact that was open has a slip, too.
+    /// The conclusion [`Holding`] if the whole load is held: [`Holding::Loose`], [`Holding::Sticks`] or [`Holding::Slides`]. A contact has slid if it
+    /// slides under the whole load, slipped in a jump, or began to slide at an event of the path. The slip stored in the equilibrium is no sign of
+    /// sliding: a contact that was open has a slip, too.
     fn holding(
         &self,
         state: &Equilibrium<3>,

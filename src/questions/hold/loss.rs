@@ -14,9 +14,9 @@ use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::prelude::*;
 
 impl Engine {
-    /// The end of the theory of small motions: a motion becomes too large, or the grasp buckles. `None` unless it comes before a loss of equilibrium.
-    /// Buckling is checked only if the points of action of the load at rest or of the whole load are known. It is not checked if the grasp is solved
-    /// with band matrices ([`Self::may_buckle`]).
+    /// The point of the load path at which the theory of small motions ends: a motion becomes too large, or the grasp buckles. `None` unless it comes
+    /// before a loss of equilibrium. Buckling is checked only if the points of action of the load at rest or of the whole load are known. It is not
+    /// checked if the grasp is solved with band matrices ([`Self::may_buckle`]).
     pub(super) fn end_of_theory(&self, path: &LoadPath<'_, 3>, ramp: &Ramp<3>) -> Option<EndOfSmallMotions> {
         let far = end_before_loss(path);
         let may_buckle = |factor: f64| self.may_buckle(&ramp.load_at(factor));

@@ -22,7 +22,7 @@ use crate::words::Words;
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct ShortVerdict {
-    /// The conclusion, as in [`Verdict::holding`], without contacts and proofs.
+    /// The conclusion: whether and how the whole load is held. [`Verdict::holding`] is the same conclusion with contacts and proofs.
     pub how: VerdictKind,
     /// The load factor of first slip; `None` if every contact sticks as far as the load was followed.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<Option<f64>>"))]

@@ -134,9 +134,9 @@ pub enum Holding<const C: usize> {
     Loose,
     /// Equilibrium is lost before the whole load is applied, or motions cease to be small.
     Lost,
-    /// The grasp has no equilibrium even under the base load. The variant carries the proof.
+    /// The grasp has no equilibrium even under the base load, and this is proved.
     NoRest {
-        /// The proof.
+        /// The proof that no equilibrium exists under the base load.
         #[cfg_attr(feature = "serde", serde(flatten))]
         none: NoEquilibrium<C>,
         /// The loss of equilibrium as the base load grows from zero together with the commands, if the proof names no motion. Its load factor is the
@@ -144,8 +144,8 @@ pub enum Holding<const C: usize> {
         #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
         at_rest: Option<Box<Lost<C>>>,
     },
-    /// The grasp loses the base load as the base load grows from zero together with the commands. A load path shows this loss; it is no proof as in
-    /// [`Self::NoRest`].
+    /// The grasp loses the base load as the base load grows from zero together with the commands. A load path shows this loss. It does not prove that
+    /// no equilibrium under the base load exists; [`Self::NoRest`] has such a proof.
     LostAtRest {
         /// The loss of equilibrium. Its load factor is the fraction of the base load and of the commands that acts at the loss.
         at_rest: Box<Lost<C>>,

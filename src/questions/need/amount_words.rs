@@ -1,6 +1,6 @@
 //! An amount of a sought quantity as text, in the unit of the quantity: "12 N at left and right", "an arm of 0.25 m", "60°". An amount (of squeeze,
-//! friction, load, arm, angle or force) is sufficient if the grasp meets the demand with it, e.g. holds the object. The squeeze is the set of all
-//! commands and forces that press on the object without a load.
+//! friction, load, arm, angle or force) is sufficient if the grasp meets the demand with it, e.g. holds the object. The squeeze is everything by
+//! which contacts press at rest without a load.
 
 use super::answer::{Needed, PressedBy, Quantity};
 use super::press::{self, ContactPress};
@@ -90,7 +90,7 @@ impl Needed {
         format!("{} times the {given} given", words.number(amount))
     }
 
-    /// Words for what a sentence says after an amount: the place where the sought force acts, " on jaw", or the sense of an angle in the plane, "
+    /// The words that follow an amount in a sentence: the part on which the sought force acts, " on jaw", or the sense of an angle in the plane, "
     /// anticlockwise".
     pub(super) fn at(&self) -> String {
         match &self.of {

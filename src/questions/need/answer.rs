@@ -1,10 +1,11 @@
 //! The answer to a [`Need`](super::Need): the least or greatest amount of a quantity that meets a demand.
 //!
 //! An amount (of squeeze, friction, load, arm, angle or force) is sufficient if the grasp meets the demand with it. A safe amount is sufficient also
-//! with less friction and squeeze (the field `lower`), or with larger loads (the field `safety`). The squeeze is all that presses without a load,
-//! such as commands (prescribed displacements of fingers) and constant forces. The verdict on an amount says whether the grasp meets the demand with
-//! it, or is undecided. At rest means before the loads of the question act. A drive is the motor of a joint, or a tendon. A jump is a sudden motion
-//! of the object under constant load: it slips until a contact catches it, or snaps over, i.e. loses its equilibrium and moves to another one.
+//! with less friction and squeeze (the field `lower`), or with larger loads (the field `safety`). The squeeze is everything by which contacts press
+//! at rest without a load, such as commands (displacements that fingers would make without an object) and constant forces. The verdict on an amount
+//! says whether the grasp meets the demand with it, or is undecided. At rest means before the loads of the question act. A drive is the spring of a
+//! joint or tendon of a hand, with its force limit. A jump is a sudden motion of the object under constant load: it slips until a contact catches it,
+//! or snaps over, i.e. loses its equilibrium and moves to another one.
 
 use core::fmt;
 
@@ -44,15 +45,15 @@ pub struct Needed {
     /// the load at rest of the question.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "core::ops::Not::not"))]
     pub is_loaded_at_rest: bool,
-    /// Size of the load whose multiple is sought, N: an amount x means x times this force. `None` for other quantities, and unless the loads are one
-    /// single force.
+    /// Magnitude of the force whose multiple is sought, N: an amount x means x times this force. `None` for other quantities, and unless the loads
+    /// are one single force.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub force: Option<f64>,
-    /// The body, contact, link or joint that exerts the sought force, or the load at rest if that is sought; `None` for other quantities.
+    /// What exerts the sought force: a body, contact, link or joint, or the load at rest. `None` if another quantity is sought.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub of: Option<PressedBy>,
-    /// Whether a squeeze was asked for although no command presses. The sought quantity is then the force of the only loaded body, or the load at
-    /// rest if no body is loaded.
+    /// True if a squeeze was asked for, but no command presses, so that there is no squeeze to multiply. The answer is then about the load on the
+    /// only loaded body, or about the load at rest if no body is loaded.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "core::ops::Not::not"))]
     pub in_place_of_squeeze: bool,
     /// For an angle in the plane: whether the grasp is tilted anticlockwise, from x to y. `None` for other quantities, and unless the load turns.
@@ -65,12 +66,12 @@ pub struct Needed {
     /// Whether a contact has a coefficient of kinetic friction of its own, which changes in proportion to the friction sought.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "core::ops::Not::not"))]
     pub scales_kinetic: bool,
-    /// Whether the object jumps with the least or greatest sufficient amount while the load is put on: it slips under constant load until a contact catches it,
-    /// or snaps over. Its momentum is not counted.
+    /// Whether, with the amount at the bound, the object jumps while the load is put on: it slips under constant load until a contact catches it, or
+    /// snaps over. Its momentum is not counted.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "core::ops::Not::not"))]
     pub jumps: bool,
-    /// With the amount of the bound: the fraction of the springs' resistance that forces take away as they turn with the parts they act on, which
-    /// the theory of small motions leaves out, with a minus sign; see [`Verdict::left_out`](crate::hold::Verdict::left_out). Omitted if it is small.
+    /// Minus the fraction of the springs' resistance that forces take away as they turn with the parts they act on, with the amount at the bound. The
+    /// theory of small motions neglects this effect; see [`Verdict::left_out`](crate::hold::Verdict::left_out). `None` if the fraction is small.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub left_out: Option<f64>,
     /// The contacts whose coefficient of friction is sought; empty if one coefficient for all contacts is sought, and for other quantities.
@@ -95,7 +96,7 @@ fn is_once(times: &f64) -> bool {
     *times == 1.0
 }
 
-/// The part (body, contact, link or joint) that exerts the sought force, or the load at rest, and the given size of that force.
+/// What exerts the sought force (a body, contact, link or joint, or the load at rest), and the given magnitude of that force.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -106,11 +107,11 @@ pub struct PressedBy {
     pub part: Option<String>,
     /// Whether the part is a body, which presses by its load.
     pub is_body: bool,
-    /// Whether the force is that of a contact's command, `pressed_with`. If the commands of other contacts press this contact, too, its normal force
-    /// differs from the force of its command.
+    /// Whether the sought force is the commanded normal force of a contact, `pressed_with`. The normal force itself differs from it if the commands
+    /// of other contacts press this contact, too.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "core::ops::Not::not"))]
     pub is_command: bool,
-    /// Size of the given force, in `unit`: amounts are multiples of it. `None` if the load is neither one force nor one moment.
+    /// Magnitude of the given force or moment, in `unit`: amounts are multiples of it. `None` if the load is neither one force nor one moment.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub size: Option<f64>,
     /// Unit of `size`, N or N m; `None` if `size` is `None`.
@@ -118,7 +119,7 @@ pub struct PressedBy {
     pub unit: Option<String>,
 }
 
-/// A quantity that a user sets, with the unit of its amounts.
+/// A quantity whose least or greatest sufficient value is sought. The unit given is that of its values, the amounts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
@@ -165,8 +166,8 @@ pub enum Amount {
         insufficient: f64,
         /// The verdict on the grasp with `insufficient`, in a sentence.
         otherwise: String,
-        /// Whether the object is held with `insufficient`, too, but moves farther than small motions: the bound is then the limit of the theory of
-        /// small motions.
+        /// True if the object is held with `insufficient`, too, but some motion exceeds its limit of small motions. The bound is then only the limit
+        /// of the theory of small motions.
         #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "core::ops::Not::not"))]
         is_too_far: bool,
         /// An amount between `sufficient` and `insufficient` for which the verdict is undecided; `None` if all verdicts were decided.
@@ -175,8 +176,8 @@ pub enum Amount {
         /// Number of changes between sufficient and insufficient among the amounts tried around the bound, including the change at the bound. As a
         /// rule the number is 1.
         changes: usize,
-        /// Far end of the interval of sufficient amounts that begins at `sufficient`. For instance, a still larger squeeze pushes the object out.
-        /// `None` if all amounts tried on the far side of `sufficient` are sufficient.
+        /// The other end of the interval of sufficient amounts that begins at `sufficient`. For example, a squeeze beyond this end pushes the object
+        /// out. `None` if all amounts tried on that side are sufficient.
         #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
         until: Option<FarEnd>,
         /// Further intervals of sufficient amounts, in ascending order.
@@ -313,7 +314,8 @@ pub struct FarEnd {
 }
 
 impl FarEnd {
-    /// Multiplies the amounts at this end, and the normal forces there, which are proportional to them.
+    /// Multiplies the amounts at this end, and all numbers that are proportional to a squeeze: normal forces, pressures, commanded forces and
+    /// overlaps.
     fn scale(&mut self, factor: f64) {
         self.sufficient *= factor;
         self.insufficient *= factor;

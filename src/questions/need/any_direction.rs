@@ -20,7 +20,7 @@ use crate::squeeze::WeakestDirection;
 use crate::sweep::map_in_order;
 
 impl Loading {
-    /// The result of the trial under `load` and an added force of this size through a point, for the weakest direction of the force.
+    /// The result of the trial under a constant load and an added force of given magnitude through a point, for the weakest direction of the force.
     pub(super) fn any_force(
         &self,
         load: Wrench<3>,
@@ -49,7 +49,7 @@ impl Loading {
     /// Checks whether forces along the coordinate axes, in both senses, buckle the grasp; `along` returns the load for a direction of the force.
     /// Returns the worst of these results and `held`, the result of the equilibrium with everything sticking, which does not show buckling. The
     /// geometric stiffness is linear in the force. Therefore a force between the axes is safe, too, if it is a weighted mean of safe forces along
-    /// them. A force of full size between the axes is larger, and is not checked.
+    /// them. A force of full magnitude between the axes is larger than such a mean, and is not checked.
     fn unless_it_buckles(&self, mut held: Trial, along: Along<'_>) -> Result<Trial, Error> {
         let axes = self.grasp.space().axes();
         for k in 0..2 * axes {
@@ -118,7 +118,7 @@ impl Loading {
         }))
     }
 
-    /// The result under a force of this size at `point`, while everything sticks. The direction of the force is the one in which it causes the
+    /// The result under a force of the magnitude `size` at `point`, while everything sticks. The force has the direction in which it causes the
     /// largest motions relative to the limits of small motions.
     fn farthest(&self, base: &Wrench<3>, size: f64, point: [f64; 3]) -> Result<Trial, Error> {
         let Some((most, direction)) = self.grasp.farthest_direction(base, point)? else {

@@ -13,8 +13,8 @@ use crate::prelude::*;
 use crate::squeeze::{Loads, WeakestDirection};
 
 impl<const C: usize> Grasp<C> {
-    /// This grasp with an amount set, and its equilibrium under that load of the [need](Self::need) under which a contact uses the largest fraction
-    /// of its friction.
+    /// A copy of this grasp in which the sought quantity of `need` has the value `amount`, and an equilibrium of this copy. Among the loads of `need`
+    /// it is the equilibrium under the load with which a contact uses the largest fraction of its friction.
     ///
     /// The amount is in the unit of the sought [`Quantity`](super::Quantity); it may be the [`Amount::bound`](super::Amount::bound) of an answer. The
     /// use of friction is the largest `|f_t| / (|f_t| + margin)` of closed contacts, with the friction force f_t and the friction margin
@@ -55,8 +55,9 @@ impl Need<3> {
             Loads::Each(list) => tried(list, &|load| put_on(Ramp::load(*besides, *load * *times)))?,
             Loads::AnyForce { base, size, point } => {
                 let base = *besides + *base * *times;
-                // `most` is the size of the least force, in the weakest direction, that makes a contact slide. The factor `part` scales this force to
-                // the size `size · times`: the size given in the question, times the amount if a multiple of the load is sought.
+                // `most` is the magnitude of the least force, in the weakest direction, that makes a contact slide. The factor `part` scales this
+                // force to the magnitude `size · times`. Here `size` is given in the question, and `times` is the amount if a multiple of the load is
+                // sought, else 1.
                 let part = |most: f64| size * times / most;
                 let load = match grasp.weakest_direction(base, *point)? {
                     WeakestDirection::Force { load, size: most, .. } if most > 0.0 => {

@@ -3,9 +3,10 @@
 //!
 //! If everything must stick, [`screening`](crate::screening) computes the load factor of first slip, the greatest multiple of the load. If only
 //! squeeze and load act, the inverse of this factor is the least multiple of the squeeze. If the object must be held, the load factor at which
-//! equilibrium is lost is used instead; one load path finds it. For all other grasps the amount is searched for as in [`Grasp::need`]. At rest means
-//! before the load acts. The squeeze is what presses at rest: the commands of fingers, i.e. their displacements without the object. Motions are small
-//! within the limits of rotation, slip and opening up to which the linear theory is trusted.
+//! equilibrium is lost is used instead; one load path finds it. For all other grasps [`Grasp::need`] searches for the amount. At rest means before
+//! the load acts. The squeeze is everything by which contacts press at rest without a load; here it consists of the commands of fingers, the
+//! displacements that they would make without the object. Motions are small within the limits of rotation, slip and opening up to which the linear
+//! theory is trusted.
 
 use core::ops::Range;
 
@@ -28,13 +29,13 @@ use crate::sweep::caught;
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum ShortAmount {
-    /// The least or greatest sufficient amount, as [`Amount::Bound`].
+    /// The least or greatest sufficient amount (the least squeeze, the greatest load).
     Bound(f64),
-    /// All amounts that were tried are sufficient, as [`Amount::Any`].
+    /// All amounts that were tried are sufficient, so that no least or greatest one is known.
     Any,
-    /// No amount is sufficient, as [`Amount::None`].
+    /// No amount that was tried is sufficient, or a proof excludes all amounts.
     None,
-    /// The verdict for an amount is undecided, as in [`Amount::Undecided`].
+    /// For some amount it is undecided whether it is sufficient, so that the least or greatest sufficient amount is not known.
     Undecided,
 }
 
@@ -257,10 +258,11 @@ impl BatchNeed {
 /// The limits of small motions are multiplied by this factor, so that motions which are small at the sought squeeze do not end the load path.
 ///
 /// A load path stores 1 less the ratio of a motion to its limit. If the factor is much larger, these ratios are lost in rounding, and objects that
-/// leave are followed to distances at which rounding decides. A row then takes seven times as long. With a smaller factor more rows are searched for
-/// as in [`Grasp::need`].
+/// leave are followed to distances at which rounding decides. A row then takes seven times as long. With a smaller factor more rows need the slower
+/// search of [`Grasp::need`].
 const ANY_MOTION: f64 = 1e6;
-/// Settings may not have larger limits of small motions (rotation in rad, slip as a fraction of the grasp), so that their squares do not overflow.
+/// The largest limit of small motions that settings may have, for the rotation in rad and for the slip as a fraction of the grasp. The squares of
+/// larger limits might overflow.
 const MOST_LIMIT: f64 = 1e50;
 /// The squeeze that is tried exceeds the computed squeeze by this fraction. The fraction is larger than the step error of load paths on which
 /// directions of slip turn (1e-9 by default), but too small to matter for motions.

@@ -1,6 +1,7 @@
 //! The search for a sufficient amount (of squeeze, friction, load, arm or angle) between amounts that turned out to be insufficient: the grasp does
 //! not meet the demand with them. A demand is, for example, that the object is held. The carried part (or fraction) of the load is the load factor up
-//! to which the demand is met. At rest means before the loads of the question act. A drive is a motor, clutch or tendon of a joint.
+//! to which the demand is met. At rest means before the loads of the question act. A drive is the spring of a joint or tendon of a hand, with its
+//! force limit.
 
 use super::search::{SearchPlan, TrialFunctions};
 use super::tolerances::{FAR_FROM_START, LAST_DIGITS, NARROW, NEAR_DOUBLINGS};
@@ -22,8 +23,8 @@ pub(super) fn refined(
         return Ok(Some(sufficient));
     }
     let near = |at: f64| begin / FAR_FROM_START <= at && at <= begin * FAR_FROM_START && plan.contains(at);
-    // The trials suffice to divide the range from 1/16 to 16 times `begin` ([`FAR_FROM_START`] is 16) twice per factor of two. With fewer, intervals
-    // of sufficient amounts are missed.
+    // The range from 1/16 to 16 times `begin` ([`FAR_FROM_START`] is 16) consists of eight doublings, so 16 trials put two amounts into each
+    // doubling. With fewer trials narrow intervals of sufficient amounts are missed.
     for _ in 0..4 * NEAR_DOUBLINGS {
         let mut amounts = picked(vain, &|(at, _)| Some(*at).filter(|at| near(*at)));
         sort_by_number(&mut amounts, &|at| *at);

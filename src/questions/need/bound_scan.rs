@@ -42,7 +42,8 @@ impl SearchPlan {
         // The k-th of n amounts has the ratio r^((k/n)³) to `from`, with r = `most`, so that amounts lie close together near the bound of the
         // sufficient amounts. With r above 4 they would be so far apart that intervals of insufficient amounts near the bound could be missed.
         let mut parts = numbered(count, &|k| most.powf(((k + 1) as f64 / count as f64).powi(3)));
-        // A drive (the motor of a joint, or a tendon) may reach its force limit only at a far larger squeeze or force, which a ratio of 4 would miss.
+        // A drive, the spring of a joint or tendon, may reach its force limit only at a far larger squeeze or force. Amounts with ratios up to 4 do
+        // not show this.
         parts.extend((coarse && count > 0).then_some(16.0));
         let amount = |part: &f64| if up { from * part } else { from / part };
         picked(&parts, &|part| Some(amount(part)).filter(|amount| self.contains(*amount)))

@@ -1,6 +1,6 @@
 //! A [`Need`] after a check of its fields, with defaults for all fields that were not given. The load at rest acts before the other loads. An amount
 //! (of squeeze, friction, load, arm, angle or force) is sufficient if the grasp meets the demand with it, for example holds the object. A safe amount
-//! is sufficient also with less friction and squeeze, or with larger loads. The squeeze is all that presses without a load.
+//! is sufficient also with less friction and squeeze, or with larger loads. The squeeze is everything by which contacts press at rest without a load.
 
 use alloc::borrow::Cow;
 
@@ -81,8 +81,8 @@ pub(super) enum Sought {
     Angle {
         turn: Turn<3>,
     },
-    /// A multiple of one force is sought. `of` names a body, whose load it is, or a contact, link or joint, whose command or force it is. Without a
-    /// name it is the load at rest.
+    /// A multiple of one force is sought. If `of` names a body, it is the load on this body; if `of` names a contact, link or joint, it is its
+    /// command or constant force. If `of` is `None`, it is the load at rest.
     Force {
         of: Option<String>,
     },
@@ -152,7 +152,7 @@ impl CheckedNeed {
         Ok(self)
     }
 
-    /// The size of the force whose multiple is sought, N; `None` unless the loads are one single force.
+    /// The magnitude of the force whose multiple is sought, N; `None` unless the loads are one single force.
     pub(super) fn force_of_load(&self) -> Option<f64> {
         match (&self.sought, &self.loads) {
             (Sought::Load, Loads::Each(list)) if list.len() == 1 => {
@@ -162,7 +162,7 @@ impl CheckedNeed {
         }
     }
 
-    /// The largest force of the question, N: of the load at rest, of the other loads, or of a load whose direction is not given.
+    /// The largest magnitude of a force of the question, N: of the load at rest, of the other loads, or of the force of any direction.
     pub(super) fn largest_force(&self) -> f64 {
         let force = |load: &Wrench<3>| load.force_part().norm();
         let of_loads = match &self.loads {
@@ -190,7 +190,8 @@ impl CheckedNeed {
         })
     }
 
-    /// The body, contact, link or joint that exerts the sought force, with the size of that force; `None` if another quantity is sought.
+    /// What exerts the sought force (a body, contact, link or joint, or the load at rest), with the given magnitude of that force. `None` if another
+    /// quantity is sought.
     pub(super) fn pressed_by(&self, grasp: &Grasp<3>) -> Result<Option<PressedBy>, Error> {
         let Sought::Force { of } = &self.sought else { return Ok(None) };
         let (part, is_body, is_command, size) = match of {

@@ -4,7 +4,7 @@
 //! Easier amounts are larger if the least amount is sought, smaller if the greatest is sought; harder amounts are the opposite. The far end is the
 //! last sufficient amount on the easier side of the bound. A scan tries further amounts on both sides of a bound that is already found. A safe amount
 //! is sufficient also with less friction and squeeze, or with larger loads. At rest means before the loads of the question act. A bracket consists of
-//! a sufficient amount and its insufficient neighbour. A drive is a motor, clutch or tendon of a joint.
+//! a sufficient amount and its insufficient neighbour. A drive is the spring of a joint or tendon of a hand, with its force limit.
 
 use super::answer::{Amount, FarEnd};
 use super::bound_scan::{BoundScan, between_known};

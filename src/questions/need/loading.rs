@@ -1,8 +1,8 @@
 //! The trial of one amount (of squeeze, friction, load, arm or angle): the grasp with this amount set, and the verdicts on its loads. The carried
 //! part of a load is the load factor up to which the demand is met: that the object is held, or that nothing slides. At rest means under the loads
 //! that act before the loads of the question. An amount is sufficient if the demand is met with it under every load; the bound is the least or
-//! greatest sufficient amount. A ramp is a load that grows in proportion to a load factor, in addition to the load at rest. First slip is the load
-//! factor at which the first contact stops sticking. Motions are small within the limits up to which the linear theory is trusted.
+//! greatest sufficient amount. A ramp is a load that grows in proportion to a load factor, in addition to the load at rest. At first slip the first
+//! contact ceases to stick. Motions are small within the limits up to which the linear theory is trusted.
 
 use alloc::sync::Arc;
 use core::fmt;

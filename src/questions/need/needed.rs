@@ -110,7 +110,8 @@ impl Need<3> {
         });
         let jumps = amount.bound().is_some_and(|at| trials.jumps_with(at));
         let left_out = match amount.bound().filter(|_| !asked.demand.repeats()) {
-            // At the bound itself contacts may be just open, and rounding decides what resists.
+            // At the bound itself rounding decides whether a contact that is about to open resists. Therefore the fraction `left_out` is computed for
+            // a sufficient amount beside the bound.
             Some(at) => {
                 let beside =
                     if asked.quantity().is_least() { at / WITHIN_THE_BOUND } else { at * WITHIN_THE_BOUND };

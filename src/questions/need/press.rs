@@ -1,7 +1,7 @@
 //! The normal forces with which contacts press under a squeeze, and sentences about these forces. At rest means under the loads that act before the
-//! loads of the question. The squeeze is all that presses without a load: commands (displacements that fingers would make without an object),
-//! constant forces, vacuums and torques of joints. If nothing else presses, it consists of overlaps, i.e. of negative clearances between fingers and
-//! object. A link (a hinge, spring or cable, for example) joins two bodies, or a body and the ground.
+//! loads of the question. The squeeze is everything by which contacts press at rest without a load: commands (displacements that fingers would make
+//! without an object), constant forces, vacuums and torques of joints. If nothing else presses, it consists of overlaps, i.e. of negative clearances
+//! between fingers and object. A link (a hinge, spring or cable, for example) joins two bodies, or a body and the ground.
 
 use nalgebra::SVector;
 

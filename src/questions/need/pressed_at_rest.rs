@@ -1,6 +1,7 @@
 //! The normal forces with which the contacts press at rest, for a given multiple of the squeeze, or of the overlaps of contacts if these are sought.
-//! At rest means under the loads that act before the loads of the question. The squeeze consists of all commands, constant forces and torques,
-//! tensions and vacuums. A drive (motor, clutch or tendon of a joint) yields at its limit.
+//! At rest means under the loads that act before the loads of the question. The squeeze consists of all commands (displacements that fingers would
+//! make without an object), constant forces and torques, tensions and vacuums. A drive is the spring of a joint or tendon of a hand, with its force
+//! limit.
 
 use super::checked_need::{CheckedNeed, Sought};
 use super::press::{ContactPress, force_set, pressure_of_cup};
@@ -15,10 +16,10 @@ use crate::prelude::*;
 /// Two lists for a grasp whose squeeze (or overlaps) are multiplied by `squeeze`. The first has the normal force of each contact, N; the second has
 /// the names of the joints and tendons whose drives are at their limit.
 ///
-/// The forces are those without any load. The forces under the load at rest replace them in two cases. In the first case no equilibrium without load
-/// is known. In the second case no contact with a command, force or vacuum of its own presses in that equilibrium. If neither equilibrium is known,
-/// the contacts with a command, force or vacuum of their own decide. If each of these contacts has a given constant force, these constant forces are
-/// returned; otherwise the list is empty.
+/// The forces are those of the equilibrium without any load. If this equilibrium is not known, or if no contact with a command, force or vacuum of
+/// its own presses in it, the equilibrium under the load at rest is used. If that is not known either, the constant forces that are given for
+/// contacts are returned. They are returned only if every contact with a command, force or vacuum of its own has such a force; otherwise the list is
+/// empty.
 pub(super) fn presses(
     grasp: &Grasp<3>,
     squeeze: f64,

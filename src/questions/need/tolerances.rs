@@ -161,7 +161,8 @@ pub(super) const STEPPED_OVER: f64 = 1.25;
 /// more easily steps over an interval of insufficient amounts between the scene's coefficient and this one.
 pub(super) const USUAL_FRICTION: f64 = 1.0;
 
-/// The geometric stiffness beside an amount is that of an amount nearer to the sufficient ones by this factor.
+/// The answer gives the fraction of the springs' resistance that forces take away as they turn with the parts they act on. It is computed not at the
+/// bound, but for a sufficient amount whose ratio to the bound is this number (its inverse if the least amount is sought).
 ///
-/// If nearer to 1, contacts that open at the bound may count as open. If smaller, the fraction that forces take is too small.
+/// If nearer to 1, contacts that open at the bound may count as open because of rounding. If smaller, the computed fraction is too small.
 pub(super) const WITHIN_THE_BOUND: f64 = 0.99;

@@ -25,10 +25,10 @@ pub(super) enum Trial {
     Sufficient {
         /// The multiple of the load that is carried with the amount, at least 1; infinite if no loss was found.
         carried: f64,
-        /// A second margin, in addition to the first margin, the carried part of the load less 1. If the loads need only be held ([`Demand::Held`]),
-        /// it is 1 less the largest ratio of a motion to its limit of small motions. If nothing may slide ([`Demand::Sticks`]), it is the least
-        /// distance, at rest, of a contact force from the edge of its friction cone or from zero normal force, divided by the largest contact force.
-        /// Infinite if it is not known.
+        /// The second margin; the first margin is the carried part of the load less 1. If the loads need only be held ([`Demand::Held`]), it is 1
+        /// less the largest ratio of a motion to its limit of small motions. If nothing may slide ([`Demand::Sticks`]), it is the least distance, at
+        /// rest, of a contact force from the boundary of its friction cone or from zero normal force, divided by the largest contact force. Infinite
+        /// if it is not known.
         other: f64,
     },
     Insufficient {
@@ -36,10 +36,11 @@ pub(super) enum Trial {
         says: String,
         /// The fraction of the load that is carried with the amount; below 0 if the load at rest is not carried in full.
         carried: f64,
-        /// The second margin, as in `Sufficient`. At a bound of the sufficient amounts where the carried part jumps, this margin may still decrease
-        /// below 0 continuously.
+        /// The second margin. For [`Demand::Held`] it is 1 less the largest ratio of a motion to its limit of small motions. For [`Demand::Sticks`]
+        /// it is the distance, at rest, of a contact force from the boundary of its friction cone or from zero normal force, divided by the largest
+        /// contact force. If the carried part jumps at the bound, this margin may still decrease below 0 continuously. Infinite if it is not known.
         other: f64,
-        /// Whether the object is held, but moves farther than small motions.
+        /// True if the object is held, but some motion exceeds its limit of small motions.
         is_too_far: bool,
     },
     /// Undecided, with the reason in a sentence.

@@ -36,7 +36,8 @@ pub(super) enum SearchExtent {
     /// A search in both directions for a safe amount. The value has the far end, and its insufficient neighbour, that were found with friction,
     /// squeeze and loads as given; `None` if no far end was found. The search tries these two amounts to find the far end of the safe amounts.
     Everywhere(Option<[f64; 2]>),
-    /// A search among easier amounts only, such as more squeeze or less load, in few trials.
+    /// A search for the amount with which nothing slides. It tries only easier amounts than the first one, such as more squeeze or less load, in few
+    /// trials.
     Towards,
 }
 
@@ -166,7 +167,7 @@ impl<'q> TrialRecord<'q> {
         found(one).zip(found(other)).is_some_and(|(one, other)| differ(one, other))
     }
 
-    /// Whether the object jumps (moves under constant load) while the loads are put on with this amount, which must have been tried.
+    /// Whether the object jumps (moves suddenly under constant load) while the loads are put on with this amount. False if the amount was not tried.
     pub(super) fn jumps_with(&self, amount: f64) -> bool {
         let lists = [self.known.borrow(), self.quick.borrow()];
         lists.iter().any(|list| list.iter().any(|(at, trials)| *at == amount && trials.jumps))

@@ -3,7 +3,7 @@
 //! object; the bound is the least or greatest sufficient amount. Easier amounts are larger if the least amount is sought, smaller if the greatest is
 //! sought. The far end is the last sufficient amount on the easier side of the bound. A safe amount is sufficient also with less friction and
 //! squeeze, or with larger loads. The verdict on an amount says in words whether the object is held and whether contacts slide. A command is a
-//! prescribed displacement of a finger or joint. A drive, the motor of a joint or a tendon, may have a force limit.
+//! prescribed displacement of a finger or joint. A drive is the spring of a joint or tendon of a hand, with its force limit.
 
 use core::fmt;
 
