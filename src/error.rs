@@ -83,7 +83,7 @@ pub enum Error {
         field: &'static str,
         /// The given value of the quantity `field`.
         value: f64,
-        /// The allowed values, in words.
+        /// The allowed values of this quantity, in words.
         allowed: &'static str,
     },
     /// A component of a wrench is not finite, or larger than 1e50 in magnitude.
@@ -93,7 +93,7 @@ pub enum Error {
         what: &'static str,
         /// Index of the component, from 0: forces first, then moments, then the torques on the joints of a hand.
         component: usize,
-        /// The given value of the component.
+        /// The given value of this component of the wrench, N or N m.
         value: f64,
     },
     /// An index of a contact is not below the number of contacts.
@@ -131,7 +131,7 @@ pub enum Error {
         what: &'static str,
         /// The given value of the quantity `what`.
         value: f64,
-        /// The allowed values, in words.
+        /// The allowed values of this quantity, in words.
         allowed: &'static str,
     },
     /// A mesh file is missing or cannot be read, or the mesh encloses no volume although a volume is needed.
@@ -164,7 +164,7 @@ pub enum Error {
         what: &'static str,
         /// The given value of the quantity `what`.
         value: f64,
-        /// The allowed values, in words.
+        /// The allowed values of this quantity, in words.
         allowed: &'static str,
     },
     /// A number of an observed slip, of a parameter to be identified or of a known sum of parameters is out of range.
@@ -176,7 +176,7 @@ pub enum Error {
         field: &'static str,
         /// The given value of the quantity `field`.
         value: f64,
-        /// The allowed values, in words.
+        /// The allowed values of this quantity, in words.
         allowed: &'static str,
     },
     /// The library panicked while it answered one grasp or question: a fault of the library, not of the input. In a batch all others are still
@@ -274,7 +274,7 @@ pub enum Error {
         field: &'static str,
         /// The given value of the quantity `field`.
         value: f64,
-        /// The allowed values, in words.
+        /// The allowed values of this quantity, in words.
         allowed: &'static str,
     },
     /// One number of one joint, tendon or finger is out of range.
@@ -286,7 +286,7 @@ pub enum Error {
         field: &'static str,
         /// The given value of the quantity `field`.
         value: f64,
-        /// The allowed values, in words.
+        /// The allowed values of this quantity, in words.
         allowed: &'static str,
     },
     /// A matrix of a hand is not symmetric, or has a negative eigenvalue.

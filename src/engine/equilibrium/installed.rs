@@ -15,8 +15,8 @@ impl Engine {
     /// This grasp with commands of its links such that each link with a given tension has this tension without load. An error if the grasp cannot
     /// hold that tension. If no link has a given tension, nothing changes.
     pub(crate) fn installed(self) -> Result<Self, Error> {
-        // The given tension of a link may be zero, because a factor on the squeeze (all that presses without a load) multiplies given tensions, too.
-        // If the tension is zero, the link keeps its command.
+        // The given tension of a link may be zero, because a factor on the squeeze (everything by which contacts press at rest without a load)
+        // multiplies given tensions, too. If the tension is zero, the link keeps its command.
         let wanted = |contact: &Contact<3>| contact.at_rest.filter(|tension| *tension > 0.0);
         let pressed: Vec<(usize, f64)> =
             self.contacts().iter().enumerate().filter_map(|(i, contact)| Some((i, wanted(contact)?))).list();

@@ -59,9 +59,9 @@ pub enum Proof<const C: usize> {
     EveryCaseContradicted {
         /// Number of cases into which the contact states were divided.
         cases: usize,
-        /// The safety factor of the proof against rounding, at least 1e4. The elastic trial is the solution in which every contact sticks. Rounding
-        /// can hide from the proof only an equilibrium that is larger than the elastic trial by at least this factor. Both are measured by the norm
-        /// of stretches and forces in energy units, √J.
+        /// The safety factor of the proof against rounding, at least 1e4. The elastic trial is the solution in which every contact sticks. Because of
+        /// rounding the proof does not exclude equilibria whose stretches and forces exceed those of the elastic trial by at least this factor. Their
+        /// norm in energy units, √J, is compared.
         escape: f64,
     },
 }

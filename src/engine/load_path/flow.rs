@@ -61,7 +61,8 @@ impl StepGoal {
     /// The goal at the fraction `factor` of the leg, after `trials` steps that missed it. Implicit steps have large rounding errors and may miss it
     /// again and again.
     pub(super) fn after(factor: f64, trials: usize) -> Self {
-        // The distance `near` grows after sixteen and after thirty-two trials. Even the largest distance is no larger than the usual error of steps.
+        // The distance `near`, within which a step is extended to the goal, is larger after sixteen trials, and again after thirty-two. The largest
+        // distance, 1e-9, is no larger than the default error of steps.
         let near = match trials / 16 {
             0 => 2e-13,
             1 => 1e-11,

@@ -146,7 +146,8 @@ pub(crate) enum SearchOutcome {
     /// tried.
     NoneOf(usize),
     /// No equilibrium exists on the round cone. Contact states were divided into `cases` cases, and each case was proved to have no equilibrium.
-    /// Rounding can hide from this proof only an equilibrium that is larger than the elastic trial by at least the factor `escape`.
+    /// Because of rounding the proof does not exclude equilibria whose stretches and forces exceed those of the elastic trial (everything sticks) by
+    /// at least the factor `escape`.
     Contradicted {
         cases: usize,
         escape: f64,

@@ -12,7 +12,7 @@ pub(super) struct EqualScales {
     window: Window,
     /// The point at the middle of the window, m.
     middle: Vector2<f64>,
-    /// Pixels per metre.
+    /// Scale of the map: pixels per metre.
     scale: f64,
 }
 

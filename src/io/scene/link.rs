@@ -25,7 +25,7 @@ use crate::serial::{AsGiven, AxisRow, Given, object, space_of_text};
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub struct LinkSetup<const C: usize> {
-    /// The link.
+    /// The link between two bodies, or between a body and the ground.
     pub link: Link<C>,
     /// A comment for the reader of the file.
     pub comment: Option<String>,
@@ -92,10 +92,10 @@ struct Written<const C: usize> {
 struct Hinge<const C: usize> {
     /// The point of the hinge, m.
     point: AxisRow<Given, C>,
-    /// The axis, of any length; in space only.
+    /// The axis of the hinge, a vector of any length; in space only.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     axis: Option<AxisRow<Given, C>>,
-    /// The distance between the two bearings along the axis, m; in space only.
+    /// The distance between the two bearings of the hinge along its axis, m; in space only.
     #[serde(default, with = "AsGiven::<Option<f64>>", skip_serializing_if = "Option::is_none")]
     length: Option<f64>,
 }
@@ -113,11 +113,11 @@ struct Point<const C: usize> {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 struct Slide<const C: usize> {
-    /// The middle between the bearings, m.
+    /// The middle between the two bearings of the slide, m.
     point: AxisRow<Given, C>,
-    /// The direction of the slide, of any length.
+    /// The direction along which the slide is free, a vector of any length.
     direction: AxisRow<Given, C>,
-    /// The distance between the bearings, m.
+    /// The distance between the two bearings of the slide, m.
     #[serde(with = "AsGiven::<f64>")]
     length: f64,
 }

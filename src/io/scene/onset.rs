@@ -46,7 +46,7 @@ pub enum OnsetAnswer<const C: usize, At = Factor> {
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 pub struct Factor {
-    /// Load factor τ, no unit.
+    /// The load factor τ of first slip: the multiple of the growing load; it has no unit.
     #[serde(with = "AsComputed::<f64>")]
     pub factor: f64,
 }
@@ -132,7 +132,7 @@ impl<const C: usize, At> OnsetAt<C, At> {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct TurnAnswer<const C: usize> {
-    /// The first slip.
+    /// First slip as the load turns: the angle at which the first contact ceases to stick, or the reason why there is none.
     #[serde(flatten)]
     pub onset: OnsetAnswer<C, Angle>,
     /// Contacts and drives that before first slip reach the limit of their friction, torque or tension, up to rounding, without exceeding it.

@@ -30,9 +30,9 @@ impl<'de> Deserialize<'de> for PolygonCone {
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields, default)]
 struct WrittenPolygon {
-    /// Number of facets.
+    /// Number of facets of the polygonal friction cone.
     facets: usize,
-    /// Whether the polygon is inscribed in the round cone, circumscribed about it, or balanced between both.
+    /// Whether the polygonal cone is inscribed in the round cone, circumscribed about it, or balanced between both.
     fit: PolygonFit,
 }
 

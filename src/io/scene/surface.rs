@@ -19,17 +19,17 @@ enum WrittenSurface<const C: usize> {
     Polyline(Vec<AxisRow<Given, C>>),
     /// In the plane: a circle.
     Circle {
-        /// The centre, m.
+        /// The centre of the circle, m.
         centre: AxisRow<Given, C>,
-        /// The radius, m.
+        /// The radius of the circle, m.
         #[serde(with = "AsGiven::<f64>")]
         radius: f64,
     },
     /// In the plane: part of a circle.
     Arc {
-        /// The centre, m.
+        /// The centre of the arc, m.
         centre: AxisRow<Given, C>,
-        /// The radius, m.
+        /// The radius of the arc, m.
         #[serde(with = "AsGiven::<f64>")]
         radius: f64,
         /// The angle at which the arc begins, degrees from x to y.
@@ -45,24 +45,24 @@ enum WrittenSurface<const C: usize> {
     ClosedSpline(Vec<AxisRow<Given, C>>),
     /// In space: a rectangle.
     Rectangle {
-        /// One corner, m.
+        /// One corner of the rectangle, m.
         corner: AxisRow<Given, C>,
-        /// The two sides from the corner, at a right angle, m.
+        /// The two sides of the rectangle from this corner, at a right angle, m.
         sides: [AxisRow<Given, C>; 2],
     },
     /// In space: the curved surface of a cylinder.
     Cylinder {
-        /// The two ends of the axis, m.
+        /// The two ends of the axis of the cylinder, m.
         axis: [AxisRow<Given, C>; 2],
-        /// The radius, m.
+        /// The radius of the cylinder, m.
         #[serde(with = "AsGiven::<f64>")]
         radius: f64,
     },
     /// In space: a sphere.
     Sphere {
-        /// The centre, m.
+        /// The centre of the sphere, m.
         centre: AxisRow<Given, C>,
-        /// The radius, m.
+        /// The radius of the sphere, m.
         #[serde(with = "AsGiven::<f64>")]
         radius: f64,
     },

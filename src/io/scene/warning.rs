@@ -43,9 +43,9 @@ pub enum Warning {
         contact: usize,
         /// The name of the contact in messages.
         name: String,
-        /// The force `pressed_with`, N.
+        /// The commanded normal force of the contact, its field `pressed_with`, N.
         stated: f64,
-        /// The normal force without load, N.
+        /// The normal force of the contact without load, N.
         force: f64,
     },
     /// Several contacts have the same name, which makes answers ambiguous.
@@ -72,9 +72,9 @@ pub enum Warning {
         link: usize,
         /// The name of the link in messages.
         name: String,
-        /// The given pretension, N.
+        /// The given pretension of the link, N.
         stated: f64,
-        /// The pull without load, N.
+        /// The force with which the link pulls without load, N.
         force: f64,
     },
     /// A friction coefficient is implausibly large; it may be given in percent.
@@ -134,14 +134,14 @@ pub enum Warning {
     },
     /// A load is more than a hundred times the load that friction can carry at the given normal forces; perhaps its mass is given in g.
     HeavyLoad {
-        /// The force of the load, N.
+        /// The magnitude of the force of this load, N.
         force: f64,
         /// The sum of the normal forces with which contacts press, N.
         pressed: f64,
     },
     /// A load turns by more than two full turns; perhaps its angle is given in degrees.
     ManyTurns {
-        /// The largest angle of a turn, rad.
+        /// The largest angle by which a load turns, rad.
         angle: f64,
     },
     /// Some of a pad's area does not meet the grasped part.

@@ -157,7 +157,7 @@ vector_like!(Twist);
 const NOTHING: SVector<f64, 6> = Matrix::from_array_storage(ArrayStorage([[0.0; 6]]));
 
 impl<const C: usize> Twist<C> {
-    /// The zero vector.
+    /// The vector whose components are all zero.
     pub const ZERO: Self = Self(NOTHING);
 
     fn of_all(all: SVector<f64, 6>) -> Self {
@@ -180,7 +180,7 @@ impl<const C: usize> Mul<f64> for Twist<C> {
 }
 
 impl<const C: usize> Wrench<C> {
-    /// The zero vector.
+    /// The vector whose components are all zero.
     pub const ZERO: Self = Self(NOTHING, PointsOfAction::NO_FORCE);
 
     fn of_all(all: SVector<f64, 6>) -> Self {

@@ -27,7 +27,7 @@ pub(super) struct Shape {
 #[derive(Debug, Clone, PartialEq)]
 enum Form {
     Box([f64; 3]),
-    /// Radius and length, m.
+    /// Radius and length of the cylinder, m.
     Cylinder([f64; 2]),
     /// Radius, and length of the cylinder between the two hemispheres, m; zero for a sphere.
     Capsule([f64; 2]),

@@ -23,7 +23,7 @@ pub struct Pad {
     pub(super) points: Vec<PadPoint>,
     outline: Outline,
     profile: Profile,
-    /// Surface area, m².
+    /// Area of the pad's surface, m².
     area: f64,
     /// Normal and tangential stiffness of the layer per unit area, N/m³; `None` without a layer.
     layer: Option<[f64; 2]>,
@@ -85,7 +85,7 @@ impl Pad {
     }
 
     /// A flat disc of this radius, m, divided into annuli of equal width. Two rings of `points` points represent each annulus. The points share the
-    /// area as in [`SoftFingertip::disc`] under uniform pressure.
+    /// area which [`SoftFingertip::disc`] under uniform pressure has, too.
     ///
     /// # Errors
     /// [`Error::Fingertip`] unless the radius is from 1e-50 to 1e50, there is at least one annulus, each ring has at least 3 points, and there are at

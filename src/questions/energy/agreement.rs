@@ -28,7 +28,7 @@ use crate::prelude::*;
 pub enum Agreement<const C: usize> {
     /// The minimum is an equilibrium up to this load factor. At this factor the listed friction constraints begin to bind.
     UpTo {
-        /// The load factor τ >= 0, no unit.
+        /// The largest load factor τ >= 0 at which the minimum is an equilibrium; it has no unit.
         factor: f64,
         /// Contact, counted from 0, and facet of every constraint that begins to bind. Facets are numbered as in [`PolygonCone`](crate::PolygonCone);
         /// `None` stands for the constraint F_n >= 0 at infinite friction.
@@ -120,7 +120,7 @@ impl Line<'_> {
 
     /// The answer if a friction constraint begins to bind at a pivot; `row` is its index in `program.friction`. `faces` are the constraints that are
     /// active before this pivot. `seen` is the load factor at this pivot, with the rounding errors of all pivots so far. The load factor of the
-    /// answer is therefore computed anew, from the active springs.
+    /// answer is therefore computed anew, from the acting springs (all springs except the normal springs of contacts with open gaps).
     fn ends(&self, faces: &Faces, row: usize, seen: f64) -> Option<Agreement<3>> {
         let [forces, rates] = self.forces(&self.program.springs(faces))?;
         let friction = &self.program.friction;

@@ -1,7 +1,7 @@
 //! The minimum of potential energy under friction constraints, computed such that large ratios of stiffnesses do not enlarge rounding errors.
 //!
 //! The quadratic program is solved through its optimality conditions (`optimality`). Lemke's method finds the open gaps and the binding friction
-//! constraints. The minimum is then computed anew from the active springs: all springs except the normal springs of contacts with open gaps. The
+//! constraints. The minimum is then computed anew from the acting springs: all springs except the normal springs of contacts with open gaps. The
 //! multipliers of the constraints are forces on the **object** that no contact exerts. The minimum is an equilibrium exactly if these forces have no
 //! resultant force and moment. A command is the displacement that a finger would make if there were no object.
 
@@ -79,8 +79,8 @@ impl<const C: usize> MinimumOutcome<C> {
 pub struct MinimumEnergy<const C: usize> {
     /// The load of the question, N and N m, without the permanent loads of bodies, which are part of the grasp and act in every question.
     pub load: Wrench<C>,
-    /// Motion of the object about the origin at the minimum, m and rad. The active springs are all springs but the normal springs of open gaps. If
-    /// some motions stretch no active spring, the twist is usually the solution of least norm.
+    /// Motion of the object about the origin at the minimum, m and rad. The acting springs are all springs except the normal springs of contacts with
+    /// open gaps. If some motions stretch no acting spring, the twist is usually the solution of least norm.
     pub twist: Twist<C>,
     /// Forces, displacement and gap of each contact, in the order of the grasp.
     pub contacts: Vec<MinimumContact<C>>,
@@ -97,9 +97,9 @@ pub struct MinimumEnergy<const C: usize> {
     /// loads of bodies and the pull of vacuums.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub potential_energy: f64,
-    /// Motions that stretch no active spring (all springs but the normal springs of open gaps): the twist is determined up to them. They are
-    /// orthogonal to each other and have unit length, in which a rotation is measured in radians times the root mean square distance of the contacts
-    /// from their centroid.
+    /// Motions that stretch no acting spring (all springs act except the normal springs of contacts with open gaps): the twist is determined up to
+    /// them. They are orthogonal to each other and have unit length, in which a rotation is measured in radians times the root mean square distance
+    /// of the contacts from their centroid.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
     pub free_motions: Vec<Motion<C>>,
     /// Number of pivots of Lemke's method; 0 if everything sticks at the minimum.
@@ -111,7 +111,7 @@ pub struct MinimumEnergy<const C: usize> {
     pub(super) inside: Inside,
 }
 
-/// The motion of the object at a minimum of energy, and the motions that no active spring resists, both in the engine's coordinates. In these
+/// The motion of the object at a minimum of energy, and the motions that no acting spring resists, both in the engine's coordinates. In these
 /// coordinates the motions without resistance are orthonormal.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub(super) struct Inside {

@@ -77,14 +77,14 @@ impl Grouped {
         Self { groups: mapped(&members, &group), known: square(&known) }
     }
 
-    /// The error of a parameter, given by its components in the basis of the rows. `None` if directions that one group alone determines contribute
-    /// more than 1 % of the expected variance.
+    /// The error of a parameter, which is given by its components c in the basis along which derivatives are taken. `None` if directions that one
+    /// group alone determines contribute more than 1 % of the expected variance.
     pub(super) fn of_unknown(&self, unknown: &DVector<f64>) -> Option<GroupedError> {
         let sure = unknown.dot(&(&self.known * unknown));
         let variance = sure + summed(&self.groups, &|group| group.moves.dot(unknown).powi(2));
         let made_up: Vec<_> = mapped(&self.groups, &|group| &group.made_up * unknown);
         let sums: Vec<_> = paired(&self.groups, &made_up, &|(group, a)| &group.tells * a);
-        // Covariances of the groups' contributions to the parameter if all rows of derivatives were independent.
+        // Covariance of the contributions c'w_g and c'w_h of two groups to the parameter, if the observations were independent.
         let covariance = |g: usize, h: usize| {
             let own = if g == h { made_up[g].dot(&sums[g]) } else { 0.0 };
             own - sums[g].dot(&sums[h])
@@ -103,8 +103,8 @@ impl Grouped {
     }
 }
 
-/// The matrix (1 - Q)^(-1/2) for the information matrix Q of a group. Along directions that this group alone determines, Q is 1 and the inverse root
-/// is infinite; zero is taken instead.
+/// The matrix (1 - Q)^(-1/2) for the matrix Q = Q_g of a group. Along directions that this group alone determines, Q is 1 and the inverse root is
+/// infinite; zero is taken instead.
 fn inverse_root_of_rest(tells: &DMatrix<f64>) -> DMatrix<f64> {
     let (values, vectors) = symmetric_eigen(tells);
     let root = |part: &f64| {

@@ -86,7 +86,7 @@ fn no_others<const C: usize>() -> OtherLayouts<C> {
 pub(super) struct KnownSum {
     /// The indices of the parameters in the sum, from 0.
     pub(super) unknowns: Vec<usize>,
-    /// The value of the sum.
+    /// The value of the sum, known from the other measurement.
     pub(super) value: f64,
     /// The relative standard deviation of the sum.
     pub(super) scatter: f64,

@@ -122,15 +122,15 @@ impl<X: Packed> Margin<X> {
 /// The intersection of the intervals in which the margins added so far are not negative, as functions of the factor on the commands. The fields
 /// `doubt` and `free` tell whether rounding or a motion without resistance makes the answer invalid.
 pub(super) struct LeastFactor<X: Packed> {
-    /// The largest lower end of the intervals of factors of all contacts and loads, as computed.
+    /// Each contact has, under each load, an interval of factors with which it sticks. This is the largest lower end of these intervals, as computed.
     first: X,
-    /// Lower error bound of `first`, the largest lower end of the intervals of factors.
+    /// A lower bound of the exact value of `first`, the largest lower end of the intervals of factors; `first` has rounding errors.
     first_sure: X,
-    /// Upper error bound of `first`, the largest lower end of the intervals of factors.
+    /// An upper bound of the exact value of `first`, the largest lower end of the intervals of factors; `first` has rounding errors.
     first_most: X,
-    /// Lower error bound of the smallest upper end of the intervals of factors of all contacts and loads.
+    /// A lower bound, in spite of rounding, of the smallest upper end of the intervals of factors of all contacts and loads.
     last_sure: X,
-    /// Upper error bound of the smallest upper end of the intervals of factors of all contacts and loads.
+    /// An upper bound, in spite of rounding, of the smallest upper end of the intervals of factors of all contacts and loads.
     last_most: X,
     /// Positive if rounding determines whether some margin is negative, or forces do not balance, so that the answer is unclear.
     doubt: X,

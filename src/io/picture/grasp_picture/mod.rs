@@ -58,7 +58,7 @@ pub(super) struct Picture<'a> {
     way_out: Option<MovedOutlines>,
     /// Largest extent of contact points, outlines and the rigid links of the hand's fingers along an axis, m; 1 m if all of these lie at one point.
     span: f64,
-    /// Scale of forces, m/N.
+    /// Length of an arrow per unit of its force, m/N.
     scale: f64,
 }
 

@@ -25,9 +25,9 @@ pub(super) struct Drawing<'p> {
     pub(super) span: f64,
     /// The size of the area that is drawn, m: the span, or the distance from the centre of the grasp to the farthest load if this is larger.
     pub(super) size: f64,
-    /// Scale of forces, m/N.
+    /// Length of an arrow per unit of its force, m/N.
     pub(super) force: f64,
-    /// Scale of moments, m/(N m).
+    /// Length of an arrow per unit of its moment, m/(N m).
     pub(super) moment: f64,
     /// Magnification of displacements; 0 if they are not drawn.
     pub(super) displacement: f64,

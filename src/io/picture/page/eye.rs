@@ -62,16 +62,16 @@ impl Default for View {
 
 /// A parallel projection of points in space onto paper, in pixels.
 pub(super) struct Eye {
-    /// Unit vector to the right on paper.
+    /// Unit vector, in space, that points to the right on paper.
     right: Vector3<f64>,
-    /// Unit vector up on paper.
+    /// Unit vector, in space, that points up on paper.
     up: Vector3<f64>,
-    /// Unit vector towards the eye.
+    /// Unit vector, in space, that points out of the paper towards the eye.
     towards: Vector3<f64>,
     /// The point of space, m, that is drawn in the middle of the window.
     target: Vector3<f64>,
     window: Window,
-    /// Pixels per metre.
+    /// Scale of the projection: pixels per metre.
     pub(super) scale: f64,
 }
 
