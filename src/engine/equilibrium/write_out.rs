@@ -167,7 +167,7 @@ struct SolvedContact<'s> {
     bonded: bool,
     state: &'s State,
     force: SVector<f64, 3>,
-    /// Finger offset, m: commanded displacement minus clearance and minus the accumulated slip `memory`.
+    /// Offset of the contact's springs, m: commanded displacement of the finger minus clearance and minus `memory`, the slip accumulated before.
     offset: SVector<f64, 3>,
     /// Slip accumulated along a load path so far, m.
     memory: SVector<f64, 3>,

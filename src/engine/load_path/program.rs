@@ -39,8 +39,8 @@ pub(super) struct Program {
     pub(super) bodies: BodyLoads,
     /// The constant torques on the joints of the hand before the program begins, N m or N. They act in addition to the drives.
     held: Vec<f64>,
-    /// The constant torques on the joints at the beginning and at the end of the present leg. Empty as long as no leg has changed them; until then
-    /// `held` applies.
+    /// The constant torques on the joints at the beginning and at the end of the present leg. Empty as long as no leg has changed them; the torques
+    /// are then those before the program begins.
     pub(super) torques: HeldTorques,
 }
 

@@ -188,9 +188,9 @@ impl<'g> PiecewiseFollower<'g> {
     fn straight_length(&self, point: &PathPoint) -> Option<f64> {
         let rest = (1.0 - self.factor) / point.factor_rate;
         let last = point.lines.iter().zip(&self.node.states).filter_map(way_to_nothing);
-        // A normal force that is almost zero may vanish within the leg: the straight step ends there. Or at its rate it vanishes beyond the end of
-        // the leg, by less than the rest of the leg: one straight step to the end of the leg is made. If a step of the integration stopped short of
-        // this end, the normal force at the beginning of the next step would count as zero.
+        // If a normal force that is almost zero vanishes within the leg, the straight step ends where it vanishes. If it vanishes beyond the end of
+        // the leg, by less than the rest of the leg, one straight step leads to this end. If instead a step of the integration stopped short of this
+        // end, the normal force would count as zero at the beginning of the next step.
         if let Some(way) = last.reduce(f64::min).filter(|way| *way < 2.0 * rest) {
             return Some(way.min(rest));
         }

@@ -20,8 +20,8 @@ impl Segment<'_> {
     ) -> ForcesAndTwist {
         let Some(pushed) = pushed else { return rate };
         let apart = pushed - &rate.twist;
-        // Along a free or neutral motion, the twist rate of `rate` may differ from `pushed`. The difference is rounding if it is below this fraction
-        // of `pushed`.
+        // Along a free or neutral motion the components of two twist rates, that of `rate` and `pushed`, may differ. Their difference is taken as
+        // rounding if it is at most the fraction `SOLVED_ROUNDING` of the norm of `pushed`.
         let is_driven = |v: &Vector| v.dot(&apart).abs() > SOLVED_ROUNDING * pushed.norm();
         let moves = linear_problem.free_motions().iter().any(is_driven)
             || linear_problem.neutral_motions().iter().any(is_driven);

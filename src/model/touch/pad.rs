@@ -84,8 +84,8 @@ impl Pad {
         Self::on_rectangle(sides, strips, Profile::Flat)
     }
 
-    /// A flat disc of this radius, m, divided into annuli of equal width. Two rings of `points` points represent each annulus. The points share the
-    /// area which [`SoftFingertip::disc`] under uniform pressure has, too.
+    /// A flat disc of this radius, m, divided into annuli of equal width. Two rings of `points` points represent each annulus. Each point stands for
+    /// a part of the disc's area, with the weights that [`SoftFingertip::disc`] has under uniform pressure.
     ///
     /// # Errors
     /// [`Error::Fingertip`] unless the radius is from 1e-50 to 1e50, there is at least one annulus, each ring has at least 3 points, and there are at

@@ -25,14 +25,15 @@ use crate::prelude::*;
 /// Groups of observations that may share an error, with the contribution of each group to the estimates and to their standard errors.
 pub(super) struct Grouped {
     groups: Vec<Group>,
-    /// The information matrix `U'U` of the known sums of parameters, which are in no group. The rows of U are the derivatives of these sums, each
-    /// divided by a standard deviation.
+    /// The information matrix `U'U` of the known sums of parameters, which are in no group. The rows of U are the derivatives of these sums with
+    /// respect to the parameters, each divided by the standard deviation of its sum.
     known: DMatrix<f64>,
 }
 
 /// One group of observations that may share an error.
 struct Group {
-    /// The information matrix `Q = U'U` of the group. The rows of U are the derivatives of its predicted loads, divided by standard deviations.
+    /// The information matrix `Q = U'U` of the group. The rows of U are the derivatives of the predicted loads of its observations, each divided by
+    /// the standard deviation of its observation.
     tells: DMatrix<f64>,
     /// The matrix (1 - Q)^(-1/2), which corrects for the influence of the group's own residuals on the estimates.
     made_up: DMatrix<f64>,

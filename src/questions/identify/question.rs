@@ -34,8 +34,8 @@ pub struct Identify<const C: usize> {
     pub(crate) unknowns: Vec<Unknown>,
     /// The observations: loads or angles at which the grasp was observed to slip.
     pub(crate) slips: Vec<Slip<C>>,
-    /// Contact points of other layouts in which slip was observed, m. A layout is one arrangement of the contact points; the first one in this list
-    /// is layout 1.
+    /// Contact points of other layouts in which slip was observed, m. A layout is one arrangement of the contact points. Layout 0 is that of the
+    /// given grasp, layout 1 the first one in this list.
     #[cfg_attr(
         feature = "serde",
         serde(default, with = "AsGiven::<Vec<Vec<SVector<f64, C>>>>", skip_serializing_if = "Vec::is_empty")

@@ -83,8 +83,8 @@ struct Spread {
     /// Singular values, the largest first, of the matrix of derivatives of all predictions, each row weighted by the inverse of its standard
     /// deviation.
     values: Vec<f64>,
-    /// Right singular vectors, as columns, of the matrix of derivatives of all predictions, weighted in this way: directions in the logarithms of the
-    /// parameters.
+    /// Right singular vectors, as columns, of the matrix of derivatives of all predictions, each row weighted by the inverse of its standard
+    /// deviation. They are directions in the logarithms of the parameters.
     directions: DMatrix<f64>,
     /// Number of independent linear combinations of the parameters that observations and known sums determine.
     rank: usize,

@@ -11,12 +11,13 @@ use crate::numerics::Each;
 /// coordinate.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct AlongTheLine<X: Packed> {
-    /// The first entry is positive if the coordinate axis nearest to the line is the first axis; the second entry, if it is the second axis.
+    /// The first entry is one if the coordinate axis nearest to the line is x, the second entry if it is y; otherwise they are zero.
     is: [X; 2],
 }
 
 impl<X: Packed> AlongTheLine<X> {
-    /// Chooses the rotation to exchange with the last one, from the line between the two contacts of each grasp.
+    /// Finds, for each grasp, the coordinate axis nearest to the line between its two contacts. The rotation about this axis is to become the last
+    /// coordinate.
     #[inline(always)]
     pub(super) fn between<const C: usize>(points: &[&[X]; C]) -> Self {
         let (zero, one) = (X::all(0.0), X::all(1.0));
