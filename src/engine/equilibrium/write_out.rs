@@ -185,8 +185,8 @@ impl SolvedContact<'_> {
             Mode::Sticking if self.local.is_frictionless() => (ContactState::Frictionless, slip),
             Mode::Sticking => (ContactState::Sticking, SVector::zeros()),
             sliding => {
-                // Friction pulls the body in the direction in which the finger slips. While the slip is still zero, on the edge of the cone, this is
-                // the direction in which slip would start.
+                // Friction pulls the body in the direction in which the finger slips. While the slip is still zero, with the force on the boundary of
+                // its cone, it is the direction in which slip starts.
                 let outward = self.local.outward(sliding).unwrap_or(slip);
                 let is_facet_slide =
                     sliding.slide().is_none() && slip.norm() > 0.0 && slip.dot(&outward) > 0.0;

@@ -150,8 +150,8 @@ impl Node {
         self.slip_until_now(segment, factor);
     }
 
-    /// While the load turns, removes from active sets the facets from which contact forces have moved away since the last event. The rates at that
-    /// event did not show that these forces would move away.
+    /// While the load turns, removes from active sets the facets from which contact forces have moved away since the last event. At that event the
+    /// rates of these forces did not yet show the motion away from the facets.
     fn drop_by_force(&mut self, segment: &Segment<'_>, point: &PathPoint, factor: f64) {
         let offsets = segment.offsets(factor);
         for (i, (active, state)) in self.active_sets.iter_mut().zip(&self.states).enumerate() {

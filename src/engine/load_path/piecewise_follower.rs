@@ -62,8 +62,8 @@ pub(crate) struct PiecewiseFollower<'g> {
     pub(super) gathered: f64,
     /// The fraction of the leg at which slips last ended on an arc of this leg, and the contacts whose slips ended there. NaN if none has ended yet.
     pub(super) stopped: (f64, Vec<usize>),
-    /// How often the object has snapped over (moved to another equilibrium at the end of a path of equilibria) on this leg, and where on the leg it
-    /// last came to rest after that.
+    /// How often the object has snapped over on this leg, and the fraction of the leg at which it last came to rest after that. It snaps over if it
+    /// moves to another equilibrium at the end of a path of equilibria.
     pub(super) snapped: SnapCount,
     /// Sum of the estimated relative errors of the path so far: errors of integration steps along arcs, on which directions of sliding turn, and
     /// errors made by treating close events as one event.

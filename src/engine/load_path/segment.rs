@@ -309,8 +309,8 @@ impl<'g> Segment<'g> {
     }
 
     /// For every contact the law for the rates of its force and motion, i.e. the condition on these rates under which the contact law stays
-    /// satisfied. It follows from the contact state and from the active set, the facets of the cone on which the contact force lies (on the round
-    /// cone, the tangent plane at the force).
+    /// satisfied. It follows from the contact state and from the active set. The active set consists of the facets of the cone on which the contact
+    /// force lies; on the round cone it is the tangent plane at the force.
     pub(super) fn laws_of_rates(&self, active_sets: &[ActiveSet], states: &[State]) -> Vec<Law> {
         let locals = self.problem.locals().zip(active_sets).zip(states);
         locals.map(|((local, active), state)| local.law_of_rates(active, state)).list()

@@ -237,8 +237,8 @@ impl<'g> PiecewiseFollower<'g> {
         way
     }
 
-    /// Moves the path to the end `end` of an accepted step from `point`. If contact forces reach the boundary or the apex of their cones at this end,
-    /// the facets (on the round cone, tangent planes) or the apex are added to the active sets of these contacts. Returns whether the leg is
+    /// Moves the path to the end `end` of an accepted step from `point`. A contact force may reach the boundary or the apex of its cone at this end.
+    /// Then the facet (on the round cone, the tangent plane) or the apex is added to the active set of its contact. Returns whether the leg is
     /// complete; an `Err` is a loss of equilibrium at a maximum of the load.
     fn finish_step(
         &mut self,

@@ -106,7 +106,7 @@ pub(super) fn search_tree(
         // Newton's method starts from every fourth case only, since it takes as long as a few cases.
         let every = 4;
         // If the forces of a case deviate from the contact laws by at most 1e-10 of the norm of the elastic trial forces, the case is a solution up
-        // to rounding. Newton's method then starts from it, whatever its number.
+        // to rounding. Newton's method then starts from it even if it is not a fourth case.
         let at_the_law = 1e-10;
         if (cases - 1) % every == 0 || error <= at_the_law {
             let from: Vec<_> = paired(&problem.offsets, &stretches, &|(a, v)| a - v);

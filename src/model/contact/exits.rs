@@ -262,7 +262,7 @@ mod tests {
                 let left = missed / f64::sqrt(mu * mu - a * a);
                 assert!((1.0 - exit.step - left).abs() <= rounding, "{mu} {a} {missed}: {}", exit.step);
                 // The line leaves the cone next to the apex, where some friction remains. The facet of the exit is then the unit vector of the
-                // friction force; for an exit at the apex it would be zero.
+                // friction force. If the exit were at the apex, the facet would be zero.
                 assert!(exit.facet.norm() > 0.9, "{mu} {a} {missed}: {}", exit.facet);
             }
         }

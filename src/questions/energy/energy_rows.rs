@@ -27,9 +27,9 @@ pub(super) struct ForceCondition {
     /// The coefficients of this condition for the force F_i in N, `law·F_i >= 0`. The product is the friction margin `μ F_n - h·F_t` at a facet h, or
     /// the normal force F_n.
     law: SVector<f64, 3>,
-    /// Unit vector along `K^{1/2} law`, with the contact's stiffness K.
+    /// The condition's coefficients in energy coordinates, `K^{1/2} law` with the contact's stiffness K, divided by their norm.
     pub(super) normal: SVector<f64, 3>,
-    /// Norm of `K^{1/2} law`, by which the condition is divided in energy coordinates.
+    /// The norm of `K^{1/2} law`, by which this vector is divided so that `normal` has unit length.
     pub(super) length: f64,
     /// Bound of the rounding error of [`Self::value`], as a multiple of the rounding error of the largest contact force.
     pub(super) weight: f64,

@@ -56,9 +56,10 @@ pub struct Verdict<const C: usize> {
     /// Geometric stiffness, which small motions neglect, divided by the resistance to the motion from the equilibrium under the base load to the
     /// equilibrium under the whole load, or at the loss.
     ///
-    /// With the contact forces F under the base load, their arms r and the rotation θ it is `Σ [(F·r) |θ|² - (F·θ)(r·θ)]` divided by the work `ΔW·q`
-    /// of the change ΔW of the load along the motion q. If it is below 0, these forces lower the resistance, because their arms turn with the object;
-    /// at -1 or less no resistance is left. This fraction is not computed for several bodies, nor if commands or joints change with the load.
+    /// Let F be the contact forces under the base load, r their arms, θ the rotation, and ΔW the change of the load along the motion q. The fraction
+    /// is `Σ [(F·r) |θ|² - (F·θ)(r·θ)]` divided by the work `ΔW·q`. If it is below 0, these forces lower the resistance, because their arms turn with
+    /// the object; at -1 or less no resistance is left. This fraction is not computed for several bodies, nor if commands or joints change with the
+    /// load.
     ///
     /// A second number replaces this fraction if it is lower and at most -0.5. It is minus the largest fraction of the springs' resistance to any
     /// motion that the forces under the whole load take away. At -1 the grasp buckles. If the points of action of the load are known, the verdict

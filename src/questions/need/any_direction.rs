@@ -218,8 +218,8 @@ impl Loading {
 
     /// The worst result for directions between evenly spread directions, if the whole load is carried in each of the latter. The weakest direction is
     /// sought near each evenly spread direction in which a smaller part of the load is carried than in its neighbours. `before` has directions that
-    /// were weakest with other amounts, and the parts carried in them. The search starts from such a direction if no larger part is carried in it
-    /// than in the evenly spread direction, and the angle between the two is at most 1.25 times the first step. The first step is half the angle
+    /// were weakest with other amounts, and the parts carried in them. The search starts from such a direction on two conditions. No larger part is
+    /// carried in it than in the evenly spread direction. The angle between the two is at most 1.25 times the first step, which is half the angle
     /// between evenly spread directions. The carried part of the load jumps where the number of jumps on the load path changes. If this number
     /// differs between two neighbours, the direction between them at which the number changes is sought, too.
     fn between_directions(

@@ -26,9 +26,9 @@ pub(super) enum Trial {
         /// The multiple of the load that is carried with the amount, at least 1; infinite if no loss was found.
         carried: f64,
         /// The second margin; the first margin is the carried part of the load less 1. If the loads need only be held ([`Demand::Held`]), it is 1
-        /// less the largest ratio of a motion to its limit of small motions. If nothing may slide ([`Demand::Sticks`]), it is the least distance, at
-        /// rest, of a contact force from the boundary of its friction cone or from zero normal force, divided by the largest contact force. Infinite
-        /// if it is not known.
+        /// less the largest ratio of a motion to its limit of small motions. If nothing may slide ([`Demand::Sticks`]), it tells how far contacts are
+        /// from sliding or opening at rest. It is then the least distance of a contact force from the boundary of its friction cone or from zero
+        /// normal force, divided by the largest contact force. Infinite if it is not known.
         other: f64,
     },
     Insufficient {

@@ -40,7 +40,7 @@ pub(super) struct Block<'a, const C: usize, X: Packed> {
 
 /// Commanded displacements less clearances, m: the component along the normal (`pressed`), and the tangential vector (`sheared`). In space the latter
 /// is along the coordinate axes; in the plane its only component is along (n_y, -n_x). If both were stored as one vector along the coordinate axes,
-/// it would have the rounding of a large normal component, which a stiff tangential spring would turn into a force.
+/// the tangential part would have the rounding error of a large normal component, and a stiff tangential spring would turn this error into a force.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Commanded<'a, const C: usize, X: Packed> {
     pub(super) pressed: &'a [X],

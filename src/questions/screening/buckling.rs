@@ -1,10 +1,11 @@
 //! A bound that shows that a sticking grasp does not buckle, for several grasps, one in each lane of a vector. Contact forces and the load reduce the
 //! stiffness against rotation, because their points of action turn with the object.
 //!
-//! If contact i is at least as stiff as k_i in every direction, the springs resist rotations about the centroid of the k_i with at least the
-//! stiffness `J = Σ k_i (|r_i|² 1 - r_i r_iᵀ)`, with the arms r_i from this centroid. Forces F at arms r, of contacts and loads, add the geometric
-//! stiffness `M = Σ (F·r) 1 - ½ (F rᵀ + r Fᵀ)`. In the plane both are numbers, `Σ k_i |r_i|²` and `Σ F·r`. The grasp does not buckle while all
-//! eigenvalues of J⁻¹ M are above -1. The trace `tr (J⁻¹ M)²` is the sum of their squares, so all are above -1 if the trace is below 1.
+//! Let contact i be at least as stiff as k_i in every direction, and let r_i be its arm from the centroid of the contacts weighted by k_i. The
+//! springs resist rotations about this centroid with at least the stiffness `J = Σ k_i (|r_i|² 1 - r_i r_iᵀ)`. Forces F at arms r, of contacts and
+//! loads, add the geometric stiffness `M = Σ (F·r) 1 - ½ (F rᵀ + r Fᵀ)`. In the plane both are numbers, `Σ k_i |r_i|²` and `Σ F·r`. The grasp does
+//! not buckle while all eigenvalues of J⁻¹ M are above -1. The trace `tr (J⁻¹ M)²` is the sum of their squares, so all are above -1 if the trace is
+//! below 1.
 
 use super::block::{Block, count, entries};
 use super::factors::LaneFactors;

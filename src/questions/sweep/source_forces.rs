@@ -15,8 +15,8 @@ use crate::numerics::{Each, IntoList, Size, Vector, largest, numbered};
 use crate::object::ForcesAndTwist;
 use crate::prelude::*;
 
-/// The forces of all contacts and drives that one source (commands, or a component of the load) causes for the data as given, together with the
-/// changes of these forces due to an error of each uncertain datum. For an open contact the gap, m, is stored in place of the force.
+/// The forces of all contacts and drives that one source causes: the commands, or a component of the load. It has the forces for the data as given,
+/// and their changes due to an error of each uncertain datum. For an open contact the gap, m, is stored in place of the force.
 #[derive(Debug, Clone)]
 pub(super) struct SourceForces {
     /// The forces, N, for the data as given; for an open contact its gap, m.
