@@ -306,8 +306,8 @@ impl<'g> PiecewiseFollower<'g> {
         lost.map_or(Ok(leg_done), Err)
     }
 
-    /// Those of the contacts `contacts` that do not slip at all in a step. All of `contacts` have a slip rate of zero at the end of the step.
-    /// Returned are those whose slip rate is zero already at `point`, the beginning of the step.
+    /// Selects, from the contacts `contacts`, those that do not slip at all in a step. At the end of the step all of `contacts` have a slip rate of
+    /// zero. The selected ones have a slip rate of zero already at `point`, the beginning of the step.
     fn stands_still(&self, point: &PathPoint, contacts: &[usize]) -> Vec<usize> {
         if contacts.is_empty() {
             return Vec::new();

@@ -31,6 +31,6 @@ pub(super) const MOST_WORK: usize = 500_000_000;
 /// continues from points of this motion. The result of Newton's method is taken as this equilibrium if it is near the point from which Newton's
 /// method started. Their distance must be at most this fraction of the displacement from the elastic trial to that point.
 ///
-/// If smaller, this equilibrium is refused if the viscous motion has not come close enough to it yet. If larger, other equilibria, to which Newton's
-/// method has jumped, are taken for it.
+/// If smaller, this equilibrium is refused if the viscous motion has not come close enough to it yet. If larger, another equilibrium, to which
+/// Newton's method has jumped, is taken as this equilibrium.
 pub(super) const NEAR_THE_RELAXED_STATE: f64 = 0.3;

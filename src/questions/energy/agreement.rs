@@ -90,8 +90,8 @@ struct Line<'g> {
 }
 
 impl Line<'_> {
-    /// The contact forces at load factor 0, and their derivatives with respect to the load factor, if only the springs in `springs` are active.
-    /// `None` if these springs do not resist the load.
+    /// The contact forces at load factor 0, and their derivatives with respect to the load factor, if only the springs in `springs` act. `None` if
+    /// these springs do not resist the load.
     fn forces(&self, springs: &LinearProblem) -> Option<[Vec<SVector<f64, 3>>; 2]> {
         let problem = &self.program.problem;
         let start = springs.solve(problem.sites, &problem.offsets, problem.load()).ok()?;

@@ -23,7 +23,7 @@ pub(crate) const NO_MOMENTUM: &str = "counting no momentum";
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct CaughtJump {
-    /// The load factor at which the object jumps.
+    /// The load factor at which the jump takes place, under constant load.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub factor: f64,
     /// The contacts that slip in the jump, each with the length of its slip.

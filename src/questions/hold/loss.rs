@@ -92,7 +92,7 @@ impl Engine {
 const SAME_EVENT: f64 = 0.01;
 
 impl<const C: usize> Lost<C> {
-    /// The [`Lost`] for suction cups that let go because their lips are open all around.
+    /// The [`Lost`] of a verdict if suction cups let go, because their lips are open all around at the load factor `factor`.
     fn without_vacuum(factor: f64, cups: Vec<WholeContact>, state: Option<Equilibrium<C>>) -> Self {
         Self::alone(factor, LossKind::LetsGo, WayOut::LetsGo { cups }, state)
     }

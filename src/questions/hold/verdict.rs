@@ -128,7 +128,7 @@ pub enum Holding<const C: usize> {
     /// Contacts stick and carry the load, but nothing resists a rotation along which the load drives the object on, for example a part held below its
     /// centre of mass. Only loads whose points of action are known ([`Wrench::force_at`](crate::planar::Wrench::force_at)) are checked.
     TurnsOver {
-        /// The unit motion that nothing resists.
+        /// The unit motion that nothing resists and along which the load drives the object on.
         motion: Motion<C>,
     },
     /// No contact carries a force under the whole load: the object lies loose between the fingers.

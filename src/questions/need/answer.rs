@@ -32,8 +32,7 @@ pub struct Needed {
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub sticks: Option<Amount>,
     /// The amount that meets the demand if friction and squeeze are reduced by `lower` and loads are multiplied by `safety`; `None` if nothing is
-    /// reduced or multiplied. Its far end is that of the amounts that suffice in all cases: with the sought quantity itself reduced or as set, and
-    /// with everything as given.
+    /// reduced or multiplied. Every amount between it and its far end meets the demand both with these deviations and without them.
     pub safe: Option<Amount>,
     /// Relative reductions of friction and of the squeeze that `safe` allows for, each from 0 to less than 1. If no command presses, the reduction of
     /// the squeeze is 0.
@@ -105,7 +104,7 @@ pub struct PressedBy {
     /// Name of the body, contact, link or joint; `None` for the load at rest.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub part: Option<String>,
-    /// Whether the part is a body, which presses by its load.
+    /// Whether the part is a body. The sought force is then the load on this body.
     pub is_body: bool,
     /// Whether the sought force is the commanded normal force of a contact, `pressed_with`. The normal force itself differs from it if the commands
     /// of other contacts press this contact, too.
@@ -131,7 +130,7 @@ pub enum Quantity {
     Friction,
     /// The loads, as a multiple of the given loads.
     Load,
-    /// The arm of a force: its displacement, m.
+    /// The arm of a force: the displacement, m, of the point at which it acts.
     Arm,
     /// The angle of a load that turns, rad.
     Angle,
@@ -180,7 +179,7 @@ pub enum Amount {
         /// out. `None` if all amounts tried on that side are sufficient.
         #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
         until: Option<FarEnd>,
-        /// Further intervals of sufficient amounts, in ascending order.
+        /// Further intervals of sufficient amounts, beside the interval that begins at `sufficient`, in ascending order.
         #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Vec::is_empty"))]
         elsewhere: Vec<AmountWindow>,
         /// Normal force of each contact at rest (before the loads act) with the squeeze `sufficient`, N; empty for other quantities.
@@ -235,7 +234,7 @@ pub enum Amount {
     Undecided {
         /// The amount for which the verdict is undecided.
         at: f64,
-        /// The reason, in a sentence.
+        /// The reason why the verdict is undecided, in a sentence.
         doubt: String,
     },
 }

@@ -28,7 +28,7 @@ pub(super) struct BoundScan {
     /// The far end of the interval of sufficient amounts that starts at the bound: the last sufficient amount and its insufficient neighbour. `None`
     /// if all amounts tried on the easier side of the bound (more squeeze, less load) are sufficient.
     pub(super) until: Option<Threshold>,
-    /// Further intervals of sufficient amounts.
+    /// Further intervals of sufficient amounts, beside the interval that starts at the bound.
     pub(super) elsewhere: Vec<AmountWindow>,
 }
 

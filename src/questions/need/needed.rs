@@ -196,7 +196,7 @@ fn amount(tried: &TrialRecord<'_>, demand: Demand, look: SearchExtent) -> Result
     if let Some(proved) = by_proof(&plan, tries)? {
         return Ok(proved);
     }
-    // Angles beyond the given turn are not tried.
+    // If the whole turn is sufficient, the search ends: angles beyond the given turn are not tried.
     if matches!(need.sought, Sought::Angle { .. }) && tries.at(plan.start)?.is_sufficient() {
         return Ok(Amount::Any { to: plan.start, until: None, tried: None });
     }
@@ -219,11 +219,11 @@ fn amount(tried: &TrialRecord<'_>, demand: Demand, look: SearchExtent) -> Result
     }
 }
 
-/// The answer if no amount of `vain`, the amounts tried with their results, is sufficient. The argument `proof` is given if it is proved that contact
-/// forces balance the loads with no amount: it is then the empty range of amounts. Without such a proof one undecided trial makes the answer
-/// undecided. Otherwise the amount `best` of the answer is the amount with which the largest part of the load is carried, the first of several such
-/// amounts. If the object moves too far already at rest, it is the amount with the smallest motions. With a proof the answer states that all amounts
-/// within `limits` are excluded.
+/// The answer if no amount of `vain`, the amounts tried with their results, is sufficient. The argument `proof` is given if it is proved, for every
+/// amount, that contact forces cannot balance the loads. It is then the empty range of amounts. Without such a proof one undecided trial makes the
+/// answer undecided. Otherwise the amount `best` of the answer is the amount with which the largest part of the load is carried, the first of several
+/// such amounts. If the object moves too far already at rest, it is the amount with the smallest motions. With a proof the answer states that all
+/// amounts within `limits` are excluded.
 pub(super) fn nothing_suffices(vain: Vec<(f64, Trial)>, limits: [f64; 2], proof: Option<&Range>) -> Amount {
     let (is_proved, at_rest) = (proof.is_some(), proof.is_some_and(|range| range.is_empty_at_rest));
     let amounts = || vain.iter().map(|(amount, _)| *amount);

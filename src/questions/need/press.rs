@@ -10,7 +10,7 @@ use crate::numerics::{IntoList, Space, largest, mapped, summed};
 use crate::prelude::*;
 use crate::words::{ALIKE_IN_WORDS, MOST_NAMES, Words, listed};
 
-/// The normal force of a contact.
+/// The normal force with which a contact presses at rest under a squeeze, and the number that the user sets at this contact.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]

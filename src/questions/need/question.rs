@@ -16,7 +16,7 @@ use crate::serial::AsGiven;
 use crate::squeeze::{LoadFields, Loads};
 use crate::words::Words;
 
-/// The condition that an amount must meet.
+/// The condition that the grasp must meet with an amount, so that the amount is sufficient.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(rename_all = "snake_case"))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]

@@ -45,10 +45,9 @@ impl TrialFunctions<'_> {
     }
 }
 
-/// The result of a search.
 #[derive(Debug)]
 pub(super) enum BoundSearch {
-    /// The bracket of the bound.
+    /// The bound was found between the two amounts of this bracket.
     Threshold(Threshold),
     /// All amounts tried towards harder ones (less squeeze, more load) are sufficient; this is the last of them.
     All(f64),
@@ -73,7 +72,7 @@ pub(super) enum BoundEstimate {
 pub(super) struct SearchPlan {
     /// The amount with which the search begins, if forces can balance the loads with it; otherwise [`Self::begin`] takes an amount inside the range.
     pub(super) start: f64,
-    /// The least and the greatest amount tried.
+    /// The least and the greatest amount that the search may try.
     pub(super) limits: [f64; 2],
     /// The range of amounts outside which all amounts are proved insufficient, because contact forces cannot balance the loads.
     pub(super) range: Range,

@@ -19,7 +19,7 @@ pub(super) const NOT_AT_REST: f64 = -1.0;
 /// angle the list fills with directions near one minimum of the carried load; with a larger one a second minimum is forgotten.
 const SAME_DIRECTION: f64 = 5e-3;
 
-/// The result of the trial of an amount.
+/// The result of the trial of an amount: it is sufficient, insufficient, or this is undecided.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Trial {
     Sufficient {
@@ -32,7 +32,7 @@ pub(super) enum Trial {
         other: f64,
     },
     Insufficient {
-        /// The verdict in a sentence.
+        /// The reason why the amount is insufficient: the verdict on the grasp, in a sentence.
         says: String,
         /// The fraction of the load that is carried with the amount; below 0 if the load at rest is not carried in full.
         carried: f64,
@@ -43,7 +43,7 @@ pub(super) enum Trial {
         /// True if the object is held, but some motion exceeds its limit of small motions.
         is_too_far: bool,
     },
-    /// Undecided, with the reason in a sentence.
+    /// It is undecided whether the amount is sufficient. The text is the reason, in a sentence.
     Unknown(String),
 }
 

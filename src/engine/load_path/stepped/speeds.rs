@@ -39,9 +39,9 @@ impl Speeds {
         let far = before.find(|[fraction, _]| end - fraction >= 1e3 * (end - near));
         // If the speed grows without bound, the last recorded speed is within this fraction of the leg from the end of the path.
         let to_the_end = 1e-8;
-        // If the speed grows by more than this factor between the two fractions `far` and `near`, it is taken as unbounded. With δ^{-1/2}, the
-        // slowest growth of the list above, it grows by at least √1000, about 32. A path may also end at a corner, where no contact states continue
-        // it; there the speed is bounded.
+        // If the speed grows by more than this factor between the two fractions `far` and `near`, it is taken as unbounded. A speed without bound
+        // grows at least like δ^{-1/2}, with the distance δ from the end of the path, so here by at least √1000, about 32. A path may also end at a
+        // corner, where no contact states continue it; there the speed is bounded.
         let runs = 8.0;
         end - near < to_the_end && far.is_some_and(|[_, slow]| *fast > runs * slow)
     }

@@ -19,7 +19,7 @@ impl SteppedState {
             problem.sites.iter().zip(&problem.offsets).map(|(site, offset)| site.span(offset, &self.twist));
         let sizes = [self.largest_force().max(problem.wrench.norm()), spans.fold(0.0, f64::max)];
         // The slip so far is already subtracted from the offsets (command minus clearance) of the contact springs. A sliding contact therefore keeps
-        // its direction of sliding, but its further slip is zero, i.e. `lambda`, to which the slip is proportional.
+        // its direction of sliding, but its further slip is zero. So `lambda`, the ratio of this slip to the friction force, is set to zero.
         let standing = |state: &Mode<Slide>| match state {
             Mode::Round(slide) => Mode::Round(Slide { lambda: 0.0, ..*slide }),
             other => *other,
