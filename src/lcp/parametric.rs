@@ -115,8 +115,8 @@ impl<'a> Parametric<'a> {
         Self::from_basis(lcp, &Basis::slack(lcp.len()), dq, settings)
     }
 
-    /// The path for q₀ of `lcp` and the direction dq (n entries), from the solution that [`Lcp::solve_from`] finds from `basis`. If the problem at τ
-    /// = 0 has several solutions, `basis` selects one of them.
+    /// The path for q₀ of `lcp` and the direction dq (n entries), from the solution that [`Lcp::solve_from`] finds from `basis`. If the problem at
+    /// τ = 0 has several solutions, `basis` selects one of them.
     ///
     /// # Errors
     ///

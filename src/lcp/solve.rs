@@ -1,5 +1,6 @@
 //! The starts of a solve: from the slack basis, from a given basis, or from the dictionary of the previous problem. A dictionary is the condensed
-//! tableau of one basis. In the slack basis every slack w_i of w = M z + q is basic.
+//! tableau of one basis. In the slack basis every slack w_i of w = M z + q is basic. Lemke's path runs through solutions of w = M z + q + d z₀ with a
+//! covering vector d and a covering variable z₀.
 
 use super::basis::Basis;
 use super::lemke::LemkeEnd;

@@ -1,5 +1,5 @@
-//! A ramp: a load, commands, or both, that change in proportion to one load factor. A command is a prescribed displacement of a finger, or of a drive
-//! (the spring of a joint or tendon, with its force limit).
+//! A ramp: a load, commands, or both, that change in proportion to one load factor τ, in addition to a constant base load. A command is a prescribed
+//! displacement of a finger, or of a drive (the spring of a joint or tendon, with its force limit).
 
 use crate::numerics::{IntoList, mapped};
 use alloc::borrow::Cow;

@@ -121,8 +121,9 @@ macro_rules! in_other_frames {
                 Self::among(space, &space.moved_twist(&from, &self.coordinates(space)))
             }
 
-            /// This motion in another frame. `pose` is the frame in which the motion is given, as seen from the target frame: points become `r' = R r
-            /// + p`. With the translation u of the origin and the rotation θ, `θ' = R θ` and `u' = R u + p × θ'`; in the plane R does not change θ.
+            /// This motion in another frame. `pose` is the frame in which the motion is given, as seen from the target frame: points become
+            /// `r' = R r + p`. With the translation u of the origin and the rotation θ, `θ' = R θ` and `u' = R u + p × θ'`; in the plane R does not
+            /// change θ.
             pub fn transformed<R: AbstractRotation<f64, $c>>(&self, pose: &Isometry<f64, R, $c>) -> Self {
                 let space = Space::of::<$c>();
                 let turned = turned::<_, $c>(&pose.rotation, &self.coordinates(space));

@@ -195,8 +195,9 @@ impl<'g> EnergyProgram<'g> {
     /// `multipliers` receive the multipliers λ of the constraints. Returns the change of the motion q as p = R q, with the triangular factor R of the
     /// acting springs. `None` if constraints are linearly dependent.
     ///
-    /// The normal springs of open gaps are removed. The normal component x_n at such a contact is determined by the multipliers λ alone, `x_n =
-    /// (Nᵀλ)_n`. Let Q be the orthogonal factor of the acting springs, N_n the columns of N for these normal components, and `M = [N Q, N_n]`. Then
+    /// The normal springs of open gaps are removed. The normal component x_n at such a contact is determined by the multipliers λ alone,
+    /// `x_n = (Nᵀλ)_n`. Let Q be the orthogonal factor of the acting springs, N_n the columns of N for these normal components, and `M = [N Q, N_n]`.
+    /// Then
     ///
     /// ```text
     /// N x' + M Mᵀλ = 0,     x = x' + Q (first part of Mᵀλ)

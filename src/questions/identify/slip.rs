@@ -1,6 +1,7 @@
 //! An observation: a load or an angle at which the first contact, or the whole object, was observed to slip. A turning load turns by a growing angle.
 //! A layout is one arrangement of the contact points, with a grasp of its own. The squeeze is everything by which contacts press at rest without a
-//! load. The scatter of an observation is its relative standard deviation.
+//! load. The scatter of an observation is its relative standard deviation. The base load acts before the load of the observation grows. At first slip
+//! the first contact ceases to stick, at gross slip every contact that presses slides.
 
 use nalgebra::SVector;
 

@@ -1,7 +1,7 @@
 //! The search for better finger placement: ascents from the given grasp and from the best of many random grasps, and the answer with the best grasp
 //! found. A place is the position of a contact on its curve or surface. The commanded normal force of a contact is that which its command causes with
 //! the object held in place. A design point is one choice of all places and commanded normal forces. At rest means under the base load, which acts
-//! before the loads of the question grow.
+//! before the loads of the question grow. At first slip the first contact ceases to stick.
 
 use super::answer::{ActiveConstraint, ActiveConstraintKind, Improved, Placed, SearchEnd};
 use super::ascent::{Ascent, AscentProblem, EvaluatedDesign, LastStep};

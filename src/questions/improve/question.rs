@@ -1,6 +1,7 @@
 //! The question of finger placement: its loads, the contacts that may move and along which surfaces, and upper limits of the commanded normal forces.
 //! The commanded normal force of a contact is that which its command causes with the object held in place. The command is the displacement that the
-//! finger would make if there were no object. The load factor is the multiple of a load.
+//! finger would make if there were no object. The load factor is the multiple of a load; at first slip the first contact ceases to stick. The base
+//! load acts before the other loads grow.
 
 use nalgebra::SVector;
 

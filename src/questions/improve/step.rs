@@ -1,8 +1,9 @@
 //! The quadratic program of one step of the search for better finger placement. Its variables are the places (positions of contacts on their curves
 //! or surfaces) and the commanded normal forces of contacts. The value of a sticking condition under a load, an event in the code, is the load factor
-//! that breaks it, or its margin under the load. Within a box around the present values of the variables, the program maximises the least of the
-//! linearised values of sticking conditions, less a curvature term. Let d be the step, bounded by `low` and `high`, B the Hessian, τ_k the value of
-//! sticking condition k with gradient g_k, and `h_b·d + left_b >= 0` constraint b:
+//! that breaks it, or its margin under the load. At first slip the first sticking condition breaks; the base load acts before the other loads grow.
+//! Within a box around the present values of the variables, the program maximises the least of the linearised values of sticking conditions, less a
+//! curvature term. Let d be the step, bounded by `low` and `high`, B the Hessian, τ_k the value of sticking condition k with gradient g_k, and
+//! `h_b·d + left_b >= 0` constraint b:
 //!
 //! ```text
 //! min  t + ½ dᵀB d     such that     t + τ_k + g_k·d >= top,     h_b·d + left_b >= 0,     low <= d <= high

@@ -1,5 +1,6 @@
 //! The margin of sticking at the contact that leaves its friction cone first, and the derivatives of this margin. In the code the point at which its
-//! force leaves the cone is an edge. A command is the displacement that a finger would make if there were no object.
+//! force leaves the cone is an edge. The load factor is the multiple of the growing load; at first slip the first contact ceases to stick. A command
+//! is the displacement that a finger would make if there were no object.
 
 use super::block::{Commanded, MOST_SCREENED, count};
 use super::cone::StickingCone;

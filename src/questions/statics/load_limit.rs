@@ -1,10 +1,10 @@
 //! Limit analysis: the largest multiple of a load that contact forces within a budget balance and, as its inverse, the budget that a load needs. The
 //! budget is an upper limit of the normal force of each contact, or of the sum of all normal forces.
 //!
-//! Let G_i be the grasp map of contact i, W₀ the constant base load and W the load. The result is the largest λ with `Σ G_i F_i + W₀ + λ W = 0` for
-//! some forces F_i in their cones and within the budget. The wrenches that such contact forces can exert form a convex set. A plane that touches this
-//! set, with the set on one side, gives an upper bound of λ. Consider a ray from inside the set towards the wrench that balances the load at this
-//! bound. The ray ends in the set, or leaves the set through a plane with a smaller bound.
+//! Let G_i be the grasp map of contact i, W₀ the constant base load and W the load. The result is the largest λ, called the largest load factor, with
+//! `Σ G_i F_i + W₀ + λ W = 0` for some forces F_i in their cones and within the budget. The wrenches that such contact forces can exert form a convex
+//! set. A plane that touches this set, with the set on one side, gives an upper bound of λ. Consider a ray from inside the set towards the wrench
+//! that balances the load at this bound. The ray ends in the set, or leaves the set through a plane with a smaller bound.
 
 use nalgebra::SVector;
 

@@ -1,4 +1,5 @@
-//! Screening of batches of grasps of two to five contacts on all cores.
+//! Screening of batches of grasps of two to five contacts on all cores. Screening computes, for many grasps, the load factor of first slip: the
+//! multiple of the growing load at which the first contact ceases to stick.
 
 use crate::prelude::*;
 use crate::screening::{Batch, LoadCases, Pull, Screened, ScreenedGradients, ScreenedSqueeze};

@@ -1,7 +1,8 @@
 //! A grasp in which all contacts stick under a base load, and the probability that one of them ceases to stick before a further load is applied in
-//! full. The required reliability `sigmas` is a number of standard deviations: the allowed probability is about Φ(-sigmas), with the normal
-//! distribution Φ. A facet is a plane that bounds a polygonal friction cone, or one that touches a round cone; in the code the facets of a cone are
-//! edges. A source is one cause of contact forces. A drive is the spring of a joint or tendon of a hand, with its force limit.
+//! full. The load factor is the multiple of the further load. The required reliability `sigmas` is a number of standard deviations: the allowed
+//! probability is about Φ(-sigmas), with the normal distribution Φ. A facet is a plane that bounds a polygonal friction cone, or one that touches a
+//! round cone; in the code the facets of a cone are edges. A source is one cause of contact forces. A drive is the spring of a joint or tendon of a
+//! hand, with its force limit.
 //!
 //! While all contacts stick, forces are linear in the load, and margins are concave functions of it. Thus, if all contacts stick under the base load
 //! and with the whole further load, they stick in between. [`failure`](super::failure) gives the probability that a contact fails, i.e. ceases to

@@ -1,6 +1,6 @@
 //! The equilibrium at the end of a step, along which the stretch of every contact is assumed to change linearly. A path point is what is stored of
-//! the grasp at a point of the path: forces, twist, slips and contact states (open, sticking or sliding); its type is `SteppedState`. The offset of a
-//! contact's springs is the command of its finger (a displacement) minus clearance and accumulated slip.
+//! the grasp at a point of the path: forces, twist, slips and contact states (open, sticking or sliding); its type is `SteppedState`. A leg is a
+//! section of the load program. The offset of a contact's springs is the command of its finger (a displacement) minus clearance and accumulated slip.
 
 use nalgebra::SVector;
 
