@@ -1,5 +1,5 @@
-//! One attempt: Lemke's path from the slack basis to its end, and the check of the point at this end. In the slack basis every slack w_i of w = M
-//! z + q is basic. The path runs through solutions of w = M z + q + d z₀ with a covering vector d and a covering variable z₀. Balanced rows and
+//! One attempt: Lemke's path from the slack basis to its end, and the check of the point at this end. In the slack basis every slack w_i of
+//! w = M z + q is basic. The path runs through solutions of w = M z + q + d z₀ with a covering vector d and a covering variable z₀. Balanced rows and
 //! columns are scaled by powers of two, so that nonzero entries of M lie near 1.
 //!
 //! An attempt returns `None` if it has left a solution in the [`Workspace`], otherwise the outcome with which it failed.
