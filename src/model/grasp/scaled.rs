@@ -66,8 +66,8 @@ impl Engine {
         self.with_data(contacts, &|_| [1.0; 2])
     }
 
-    /// Whether twice the squeeze (all commands, constant forces and vacuums) carries twice the load. This is so without constant loads of bodies,
-    /// external torques, clearances and joint limits. `false` for any grasp with tendons.
+    /// Whether the grasp carries twice the load with twice the squeeze, i.e. if all commands, constant forces and vacuums are doubled. This is so
+    /// without constant loads of bodies, external torques, clearances and joint limits. `false` for any grasp with tendons.
     pub(crate) fn is_proportional(&self) -> bool {
         let stays = self.linkage().is_some_and(|linkage| {
             let loads = linkage.bodies.as_ref().map_or(&[][..], |bodies| &bodies.loads);

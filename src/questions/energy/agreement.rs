@@ -118,9 +118,9 @@ impl Line<'_> {
         matches!(path.end(), Some(lcp::PathEnd::Unbounded(_))).then_some(Agreement::Always)
     }
 
-    /// The answer if a friction constraint begins to bind at a pivot; `row` is its index in `program.friction`. `faces` are the constraints that are
-    /// active before this pivot. `seen` is the load factor at this pivot, with the rounding errors of all pivots so far. The load factor of the
-    /// answer is therefore computed anew, from the acting springs (all springs except the normal springs of contacts with open gaps).
+    /// The answer if a friction constraint begins to bind at a pivot; `row` is its index in `program.friction`. `faces` says which constraints bind
+    /// before this pivot, i.e. hold as equalities. `seen` is the load factor at this pivot, with the rounding errors of all pivots so far. The load
+    /// factor of the answer is therefore computed anew, from the acting springs (all springs except the normal springs of contacts with open gaps).
     fn ends(&self, faces: &Faces, row: usize, seen: f64) -> Option<Agreement<3>> {
         let [forces, rates] = self.forces(&self.program.springs(faces))?;
         let friction = &self.program.friction;
