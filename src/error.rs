@@ -260,7 +260,7 @@ pub enum Error {
     Part {
         /// The name of the part that was given.
         name: String,
-        /// Names of the parts with a load, command or force.
+        /// Names of the bodies, contacts, cables and joints that have a load, a command or a force, any of which can be given.
         allowed: String,
     },
     /// One number of a link between bodies is out of range.

@@ -79,7 +79,7 @@ macro_rules! names {
         pub type Beyond = crate::load_path::Beyond<$axes>;
         /// The continuation of an equilibrium beyond an event, i.e. a change of contact states; see [`crate::load_path::Continuation`].
         pub type Continuation = crate::load_path::Continuation<$axes>;
-        /// One leg of a load program, a section along which load and commands change in proportion, or the load turns; see [`crate::load_path::Leg`].
+        /// One leg of a load program, a section along which load and commands of fingers change linearly, or the load turns; see [`crate::load_path::Leg`].
         pub type Leg = crate::load_path::Leg<$axes>;
         /// An event on a load path: a change of contact states, or a joint or tendon that reaches its force limit; see [`crate::load_path::Event`].
         pub type Event = crate::load_path::Event<$axes>;

@@ -42,7 +42,8 @@ pub(crate) fn table(out: &mut dyn Write, style: Style, state: &Equilibrium<3>, s
     state.vacuum_gone().into_iter().chain(caution).try_for_each(|note| writeln!(out, "  CAUTION: {note}"))
 }
 
-/// Prints the contact forces of the equilibrium and of the minimum of energy side by side, contact by contact. A grasp with soft fingertips is
+/// Prints two lists of contact forces side by side, contact by contact: those of the equilibrium, and those of least elastic energy among all that
+/// balance the load inside the cones. A grasp with soft fingertips is
 /// printed only with `--points`, point by point.
 pub(crate) fn compared(out: &mut dyn Write, style: Style, comparison: &Comparison<3>) -> io::Result<()> {
     let (Some(state), Some(minimum)) = (comparison.equilibrium.equilibrium(), comparison.minimum.minimum())

@@ -249,7 +249,7 @@ impl Leg<3> {
 }
 
 impl LegLoad<3> {
-    /// For a leg whose load turns: checks that the turn begins with the load `before` the leg, or with zero. Otherwise returns an error, which names
+    /// For a leg whose load turns: checks that the load at the beginning of the turn is the load `before` the leg, or zero. Otherwise returns an error, which names
     /// the leg by its index.
     pub(super) fn check_beginning(&self, before: &Wrench<3>, leg: usize, space: Space) -> Result<(), Error> {
         let Self::Turn(turn) = self else { return Ok(()) };

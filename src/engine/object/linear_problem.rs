@@ -141,8 +141,8 @@ impl LinearProblem {
     }
 
     /// The weighted sum of the scaled stretches of a contact's springs under the changes `displacements` of the coordinates. The coordinates are in
-    /// the order in which the tangent stiffness is a narrow band. The weight of a stretch is the entry of `times` for the spring's axis. The sum is
-    /// zero if there is no band matrix.
+    /// the order in which the tangent stiffness is a narrow band. The weight of a stretch is the entry of `times` for the spring's axis. Only
+    /// a problem with a band matrix has this sum; otherwise 0 is returned, without a meaning.
     pub(crate) fn weighted_stretch(
         &self,
         contact: usize,

@@ -117,7 +117,7 @@ pub enum Question<const C: usize> {
     Identify(Box<Identify<C>>),
 }
 
-/// The expected form of a question, for the message about a value that is no object, such as `"onset"` alone.
+/// The form of a question in JSON. A value that is no JSON object, such as the string `"onset"`, is refused with this text.
 const QUESTION_FORM: &str = "a question with what it needs, such as {\"hold\": {\"load\": {\"force\": [0, -1]}}}, with three numbers in space";
 
 read_as_object!(QUESTION_FORM, Question, C);

@@ -14,7 +14,7 @@ use crate::search::Settings;
 use crate::serial::AsComputed;
 use crate::words::{Words, listed, printable};
 
-/// Ends the clause about jumps: an object with momentum may move past the equilibrium in which a jump ends.
+/// Last words of a clause that reports jumps. They are a caveat, because an object with momentum may move past the equilibrium in which a jump ends.
 pub(crate) const NO_MOMENTUM: &str = "counting no momentum";
 
 /// A jump under constant load that ends in another equilibrium: the object slips or snaps over, and contacts catch it.

@@ -150,7 +150,8 @@ impl<const C: usize> Lost<C> {
         is_free && largest(joints, &|joint| joint.abs()) > NEGLIGIBLE
     }
 
-    /// The verb for this loss. `words` says whether the grasp is in the plane or in space: the last axis, y or z, is vertical.
+    /// The verb for this loss of equilibrium, such as "slips out". Downward motions have a verb of their own: in the plane down is -y, in space -z, and
+    /// `words` says in which of both the grasp is.
     pub(crate) fn verb(&self, words: Words) -> LossVerb {
         if let Some(far) = &self.too_far {
             let slips = far.is_motion() && self.is_gross_slip && self.factor > NEGLIGIBLE;

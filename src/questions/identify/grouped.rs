@@ -51,8 +51,8 @@ pub(super) struct GroupedError {
 
 impl Grouped {
     /// Computes the contribution of each group. `rows` holds the derivatives of predicted loads and known sums, divided by standard deviations. They
-    /// are taken along a basis of the parameters such that the columns of `rows` are orthonormal. Rows of observations come before those of known
-    /// sums, one for each entry of `groups`; `residuals` are in the same order.
+    /// are taken along a basis of the parameters such that the columns of `rows` are orthonormal. Rows of observations come first, then those of
+    /// known sums. `groups` holds the group of each observation, and `residuals` one entry for each row.
     pub(super) fn of(rows: &DMatrix<f64>, residuals: &[f64], groups: &[usize]) -> Self {
         let mut names = groups.to_vec();
         names.sort_unstable();

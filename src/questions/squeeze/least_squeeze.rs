@@ -30,7 +30,7 @@ pub enum LeastSqueeze<const C: usize> {
         contact: usize,
         /// The load under which this contact does not stick.
         load: Wrench<C>,
-        /// The least factor with which all sticking conditions found before this one hold.
+        /// The least factor with which all sticking conditions hold that were added before the condition of this contact.
         factor: f64,
     },
     /// Nothing resists this motion, whatever the factor, and some load does work along it.
