@@ -45,7 +45,7 @@ pub enum WayOut<const C: usize> {
         /// The contacts that open, including contacts that were open already and move away.
         opens: Vec<WholeContact>,
     },
-    /// The object turns about contacts that stay in place, and no contact opens. All other contacts slide.
+    /// The object turns about contacts that stay in place. No contact opens, though a cable may go slack; all others that touch slide.
     TurnsAbout {
         /// The contacts that stay in place; in space two of them define the axis.
         about: Vec<WholeContact>,
