@@ -136,3 +136,39 @@ fn a_tripod_snaps_through_at_its_limit_load() -> Result<(), Error> {
     }
     Ok(())
 }
+
+/// A mast on a hinge between two cables with pretension, pushed down and a little to the side. It leans until the one cable goes slack, and the other
+/// does not hold it alone. While both pull, a linear model has twice the stiffness.
+#[test]
+fn a_mast_falls_where_a_cable_goes_slack() -> Result<(), Error> {
+    let (height, foot, stiffness, pretension) = (3.0, 2.0, 3e3, 55.0);
+    let load = [0.012, -1.0];
+    let cable = |x: f64| {
+        let link = Link::cable([0.0, height], [x, 0.0]).stiffness(stiffness).pretension(pretension);
+        link.to_ground("mast")
+    };
+    let hinge = Link::hinge([0.0, 0.0]).stiffness(1e10).to_ground("mast");
+    let grasp = Bodies::new([Body::new("mast")]).links([hinge, cable(-foot), cable(foot)]).grasp()?;
+    // The force under which the mast balances as it leans by an angle, from moments about the hinge.
+    let carried = |lean: f64| {
+        let tip = [height * lean.sin(), height * lean.cos()];
+        let moment = |f: [f64; 2]| tip[0] * f[1] - tip[1] * f[0];
+        let long = foot.hypot(height);
+        let by_cables = [-foot, foot].map(|x| {
+            let to = [x - tip[0], -tip[1]];
+            let now = to[0].hypot(to[1]);
+            let pull = (pretension + stiffness * (now - long)).max(0.0);
+            moment(to.map(|x| x * pull / now))
+        });
+        -(by_cables[0] + by_cables[1]) / moment(load)
+    };
+    let limit = (1..2000).map(|k| carried(f64::from(k) * 5e-5)).fold(0.0, f64::max);
+    for part in [0.9, 1.1, 1.6] {
+        let force = part * limit;
+        let verdict = grasp.hold(Wrench::force_at(load.map(|x| x * force), [0.0, height]))?;
+        assert_eq!(verdict.holds(), Some(part < 1.0), "{verdict}");
+        let lost = verdict.lost.as_ref().unwrap();
+        assert!((lost.factor * part - 1.0).abs() < 1e-3, "{} {verdict}", lost.factor * part);
+    }
+    Ok(())
+}

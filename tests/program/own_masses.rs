@@ -89,3 +89,14 @@ fn a_mass_weighs_as_the_scene_says() {
     });
     assert_eq!(mass, force);
 }
+
+/// Each body is turned and accelerated at its own centre of mass, so that another point is refused, not ignored.
+#[test]
+fn a_point_beside_own_masses_is_refused() {
+    let commands: [&[&str]; 2] =
+        [&["turn", "-", "--at", "1,0"], &["shake", "-", "--acceleration", "1", "--at", "1,0"]];
+    for arguments in commands {
+        let said = refused(arguments);
+        assert!(said.contains("--at"), "{said}");
+    }
+}

@@ -122,6 +122,10 @@ fn question_of(asked: &Command, setup: &mut Setup<3>) -> Result<Option<Question<
         Command::Turn { mass, weight, at, base, axis, .. } => {
             refuse_mass(setup, *mass)?;
             let own = if mass.is_none() && weight.is_none() { tilted(setup) } else { None };
+            if own.is_some() && at.is_some() && base.is_none() {
+                let message = "--at: must be left out where the bodies turn by their own masses, each of which acts at its own centre";
+                return Err(Failure::Usage(message.to_owned()));
+            }
             let (weight, centre) = match (weight, mass, own) {
                 (_, _, Some(own)) => (own.weight, Some(own.at)),
                 (Some(weight), ..) => (weight.along_axes(words.axes, "weight")?, at.clone()),

@@ -50,8 +50,8 @@ impl OptionVectors {
             }
         } else if let Some(acceleration) = &shakes.acceleration {
             let (mass, centre) = accelerated(setup, "acceleration")?;
-            if shakes.base.is_some() || !shakes.force.is_empty() {
-                let message = "--acceleration: accelerates the bodies by their own masses, must stand without --force and --base: what is always there is the `load` of a body";
+            if shakes.base.is_some() || !shakes.force.is_empty() || at.is_some() {
+                let message = "--acceleration: accelerates the bodies by their own masses, must stand without --force, --base and --at: what is always there is the `load` of a body";
                 return Err(Failure::Usage(message.to_owned()));
             }
             loads.extend(self.to_and_fro(mass, acceleration, centre)?);

@@ -12,7 +12,7 @@ use super::left_out::{LEAST_FRACTION, positive_factors, sticking_springs};
 use super::too_far::MotionData;
 use super::turning_parts::TurningParts;
 use crate::contact::State;
-use crate::grasp::{Engine, Wrench};
+use crate::grasp::{Engine, Wrench, size_of};
 use crate::numerics::{Vector, mapped};
 use crate::prelude::*;
 
@@ -23,20 +23,43 @@ impl Engine {
         matches!(self.with_turned_parts(standing, load), Some(WithTurnedParts::Lost))
     }
 
-    /// The change of the resistance to the load of an equilibrium by finite rotations of its parts, as a fraction of the resistance without
-    /// them: `W·q / W·q' - 1`, with the load W and the motions q without and q' with finite rotations. Negative if the resistance
-    /// becomes lower. `None` if the fraction is at most [`LEAST_FRACTION`], if the load is lost, or if arms hardly change.
-    pub(crate) fn lost_resistance(&self, there: &Equilibrium<3>) -> Option<f64> {
-        let local = &there.local;
-        let mut forces: Vec<SVector<f64, 3>> = mapped(&there.contacts, &|contact| contact.force);
+    /// The change of the resistance to a load by finite rotations of all parts, as a fraction of the resistance without them: `ΔW·q / ΔW·q' - 1`. ΔW is
+    /// the change of the load from the equilibrium `rest` to the equilibrium `there`, q the motion between them, and q' the same motion with finite
+    /// rotations. Negative if the resistance becomes lower. `None` if the fraction is at most [`LEAST_FRACTION`], if the load is lost, if arms hardly
+    /// change, if springs do not resist some motion, or if the load does no work.
+    pub(crate) fn lost_resistance(&self, rest: &Equilibrium<3>, there: &Equilibrium<3>) -> Option<f64> {
+        let turned = self.turned_motion(there)??;
+        let turned_at_rest = self.turned_motion(rest).unwrap_or_else(|| Some(rest.local.twist.to()))?;
+        let change = self.carried(there) - self.carried(rest);
+        let kept = change.dot(&(there.local.twist.to() - rest.local.twist.to()));
+        let now = change.dot(&(turned - turned_at_rest));
+        (kept > 0.0 && now > 0.0).then(|| kept / now - 1.0).filter(|part| part.abs() > LEAST_FRACTION)
+    }
+
+    /// The motion of an equilibrium with finite rotations. The outer `None` means that the motion of small motions remains, since arms hardly change.
+    /// The inner `None` means that the load is lost, or that springs do not resist some motion.
+    fn turned_motion(&self, of: &Equilibrium<3>) -> Option<Option<Vector>> {
+        let local = &of.local;
+        let mut forces: Vec<SVector<f64, 3>> = mapped(&of.contacts, &|contact| contact.force);
         forces.extend(&local.drive_forces);
         let twist = local.twist.to();
         let (offsets, slips, states) = (&local.offsets[..], &local.slips[..], &local.states[..]);
         let standing = MotionData { offsets, slips, states, forces: &forces, twist: &twist };
-        match self.with_turned_parts(&standing, &there.load) {
-            Some(WithTurnedParts::Held(fraction)) => fraction.filter(|part| part.abs() > LEAST_FRACTION),
-            _ => None,
+        Some(match self.with_turned_parts(&standing, &of.load)? {
+            WithTurnedParts::Held(motion) => motion,
+            WithTurnedParts::Lost => None,
+        })
+    }
+
+    /// The load that contacts and drives carry in an equilibrium, as generalised forces in all coordinates.
+    fn carried(&self, of: &Equilibrium<3>) -> Vector {
+        let mut forces: Vec<SVector<f64, 3>> = mapped(&of.contacts, &|contact| contact.force);
+        forces.extend(&of.local.drive_forces);
+        let mut load = Vector::all_zero(size_of(self.sites()));
+        for (site, force) in self.sites().iter().zip(forces) {
+            load -= &site.map * force;
         }
+        load
     }
 
     /// The fate of an equilibrium's load if its parts turn by finite rotations. `None` if a contact slides, if the points of action of the load are not
@@ -91,8 +114,8 @@ impl Engine {
 enum WithTurnedParts {
     /// The equilibrium of small motions does not lead to one with finite rotations.
     Lost,
-    /// The load is held, and the resistance to it changes by this fraction; `None` if springs do not resist some motion.
-    Held(Option<f64>),
+    /// The load is held after this motion of all coordinates; `None` if springs do not resist some motion.
+    Held(Option<Vector>),
 }
 
 impl TurningParts<'_> {
@@ -128,8 +151,7 @@ impl TurningParts<'_> {
         if share < 1.0 {
             return WithTurnedParts::Lost;
         }
-        let fraction = self.load.dot(twist) / self.load.dot(&self.displaced) - 1.0;
-        WithTurnedParts::Held(self.resisted.is_none().then_some(fraction))
+        WithTurnedParts::Held(self.resisted.is_none().then_some(self.displaced))
     }
 
     /// Finds the equilibrium with this share of exact rotations by Newton's method, from the present position. False if the tangent stiffness is not

@@ -2,14 +2,14 @@
 //!
 //! With an exact rotation R of its body the arm r of a force becomes R r, and cables and springs between two points turn with their ends. The
 //! displacement u of a contact is then no longer linear in the coordinates q of the bodies. Its force is `F = F_0 - K u`, with the stiffness matrix K
-//! of the contact in its state and the force F_0 without a motion. Joints of a hand move their contacts to first order. Positions between those of small
+//! of the contact in its state and the force F_0 without a motion. A closed contact opens if it has to pull; an open one stays open. Joints of a hand move their contacts to first order. Positions between those of small
 //! motions and those with exact rotations have a share m of exact rotations, with `u = (1 - m) Gᵀq + m u(R)` and the grasp map G.
 
 use nalgebra::{SMatrix, SVector};
 
 use super::left_out::{add_to_free_motions, positive_factors, sticking_springs};
 use super::too_far::MotionData;
-use crate::grasp::{Engine, PointsOfAction, Wrench, size_of};
+use crate::grasp::{Engine, Hold, PointsOfAction, Wrench, size_of};
 use crate::numerics::{IntoList, Square, Vector, indexed, mapped};
 use crate::object::tangent_stiffness;
 use crate::prelude::*;
@@ -103,6 +103,10 @@ impl<'e> TurningParts<'e> {
         for i in 0..self.engine.sites().len() {
             let site = self.site(i, share);
             let force = self.forces[i] - self.springs[i] * site.moved;
+            // A contact that may open does so, and a cable goes slack, if it has to pull or push.
+            if force[0] < 0.0 && self.engine.sites()[i].hold == Hold::Unilateral {
+                continue;
+            }
             let mut springs = self.springs[i];
             if let Some(length) = site.length {
                 (1..3).for_each(|across| springs[(across, across)] = share * force[0] / length);

@@ -300,7 +300,8 @@ fn shakedown_briefly(found: Option<&Shakedown<3>>) -> Brief {
         None => "may_rest",
     };
     let first = found.binding.first().map(|binding| binding.contact.label.clone());
-    Brief { factor: Some(found.factor), first, ..Brief::new("shakedown", outcome) }
+    let beyond_small_motions = found.too_far.is_some();
+    Brief { factor: Some(found.factor), first, beyond_small_motions, ..Brief::new("shakedown", outcome) }
 }
 
 /// Short answer to `compare`: whether the equilibrium is the minimum of energy, and the multiple of the load up to which this holds.

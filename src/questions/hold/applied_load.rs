@@ -234,7 +234,7 @@ impl Engine {
         let by_the_load =
             rest.zip(there).and_then(|(rest, there)| self.left_out_by_small_motions(rest, there));
         let by_forces = there.and_then(|there| self.taken_by_forces(there, &ramp.load_at(held_to.min(1.0))));
-        let by_rotations = rest.and(there).and_then(|there| self.lost_resistance(there));
+        let by_rotations = rest.zip(there).and_then(|(rest, there)| self.lost_resistance(rest, there));
         by_the_load.filter(is_open).into_iter().chain(by_forces).chain(by_rotations).min_by(f64::total_cmp)
     }
 

@@ -63,8 +63,8 @@ pub struct Verdict<const C: usize> {
     ///
     /// A second number replaces this fraction if it is lower and at most -0.5. It is minus the largest fraction of the springs' resistance to any
     /// motion that the forces under the whole load take away. At -1 the grasp buckles. If the points of action of the load are known, the verdict
-    /// ends there, with [`TooFar::Buckles`]. A third number replaces both if it is lower: `W·q / W·q' - 1`, where W is the whole load, q the motion
-    /// under it, and q' this motion with finite rotations of all parts, as those of a toggle near its dead centre. `None` if all are small, and if the
+    /// ends there, with [`TooFar::Buckles`]. A third number replaces both if it is lower: `ΔW·q / ΔW·q' - 1`, with the motion q from rest to
+    /// the whole load, and q' this motion with finite rotations of all parts, as those of a toggle near its dead centre. `None` if all are small, and if the
     /// grasp buckles before the whole load acts.
     #[cfg_attr(
         feature = "serde",

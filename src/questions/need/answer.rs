@@ -65,6 +65,9 @@ pub struct Needed {
     /// Whether a contact has a coefficient of kinetic friction of its own, which changes in proportion to the friction sought.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "core::ops::Not::not"))]
     pub scales_kinetic: bool,
+    /// Whether the force in any direction changes in proportion to the load sought.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "core::ops::Not::not"))]
+    pub scales_any_force: bool,
     /// Whether, with the amount at the bound, the object jumps while the load is put on: it slips under constant load until a contact catches it, or
     /// snaps over. Its momentum is not counted.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "core::ops::Not::not"))]

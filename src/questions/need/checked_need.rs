@@ -181,6 +181,11 @@ impl CheckedNeed {
         (space == Space::Planar && turns != 0.0).then_some(turns < 0.0)
     }
 
+    /// Whether the sought load scales a force in any direction, too.
+    pub(super) fn scales_any_force(&self) -> bool {
+        self.quantity() == Quantity::Load && matches!(self.loads, Loads::AnyForce { .. })
+    }
+
     /// Whether friction is sought, and a contact whose friction is sought has a kinetic coefficient that differs from its static one.
     pub(super) fn scales_kinetic(&self, all: &[Contact<3>]) -> bool {
         let Sought::Friction { contacts } = &self.sought else { return false };

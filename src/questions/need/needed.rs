@@ -136,6 +136,7 @@ impl Need<3> {
             jumps,
             left_out,
             scales_kinetic: asked.scales_kinetic(grasp.contacts()),
+            scales_any_force: asked.scales_any_force(),
             contacts,
             without_friction: match asked.sought {
                 Sought::Friction { contacts: None } => {

@@ -118,8 +118,12 @@ impl Needed {
         if tried.is_none() && until.as_ref().is_some_and(|end| end.sufficient == *sufficient) {
             return self.only(f, *sufficient, otherwise);
         }
-        let kinetic = if self.scales_kinetic { " (kinetic friction in proportion)" } else { "" };
-        let much = self.amount_text(self.of_bound(words), *sufficient, presses) + kinetic;
+        let beside = match (self.scales_kinetic, self.scales_any_force) {
+            (true, _) => " (kinetic friction in proportion)",
+            (_, true) => " (the force in any direction in proportion)",
+            _ => "",
+        };
+        let much = self.amount_text(self.of_bound(words), *sufficient, presses) + beside;
         let ends_small_motions = self.ends_small_motions(self.demand, *is_too_far);
         match until {
             Some(end) if ends_small_motions => {
