@@ -28,27 +28,28 @@ impl Engine {
     /// rotations. Negative if the resistance becomes lower. `None` if the fraction is at most [`LEAST_FRACTION`], if the load is lost, if arms hardly
     /// change, if springs do not resist some motion, or if the load does no work.
     pub(crate) fn lost_resistance(&self, rest: &Equilibrium<3>, there: &Equilibrium<3>) -> Option<f64> {
-        let turned = self.turned_motion(there)??;
-        let turned_at_rest = self.turned_motion(rest).unwrap_or_else(|| Some(rest.local.twist.to()))?;
+        let turned = self.turned_from(there)?.held()?;
+        let turned_at_rest = match self.turned_from(rest) {
+            Some(turned) => turned.held()?,
+            None => rest.local.twist.to(),
+        };
         let change = self.carried(there) - self.carried(rest);
         let kept = change.dot(&(there.local.twist.to() - rest.local.twist.to()));
         let now = change.dot(&(turned - turned_at_rest));
         (kept > 0.0 && now > 0.0).then(|| kept / now - 1.0).filter(|part| part.abs() > LEAST_FRACTION)
     }
 
-    /// The motion of an equilibrium with finite rotations. The outer `None` means that the motion of small motions remains, since arms hardly change.
-    /// The inner `None` means that the load is lost, or that springs do not resist some motion.
-    fn turned_motion(&self, of: &Equilibrium<3>) -> Option<Option<Vector>> {
+    /// The fate of the load of an equilibrium, as [`Self::with_turned_parts`] says.
+    fn turned_from(&self, of: &Equilibrium<3>) -> Option<WithTurnedParts> {
         let local = &of.local;
         let mut forces: Vec<SVector<f64, 3>> = mapped(&of.contacts, &|contact| contact.force);
         forces.extend(&local.drive_forces);
         let twist = local.twist.to();
         let (offsets, slips, states) = (&local.offsets[..], &local.slips[..], &local.states[..]);
-        let standing = MotionData { offsets, slips, states, forces: &forces, twist: &twist };
-        Some(match self.with_turned_parts(&standing, &of.load)? {
-            WithTurnedParts::Held(motion) => motion,
-            WithTurnedParts::Lost => None,
-        })
+        self.with_turned_parts(
+            &MotionData { offsets, slips, states, forces: &forces, twist: &twist },
+            &of.load,
+        )
     }
 
     /// The load that contacts and drives carry in an equilibrium, as generalised forces in all coordinates.
@@ -116,6 +117,13 @@ enum WithTurnedParts {
     Lost,
     /// The load is held after this motion of all coordinates; `None` if springs do not resist some motion.
     Held(Option<Vector>),
+}
+
+impl WithTurnedParts {
+    /// The motion of all coordinates with finite rotations. `None` if the load is lost, or if springs do not resist some motion.
+    fn held(self) -> Option<Vector> {
+        if let Self::Held(motion) = self { motion } else { None }
+    }
 }
 
 impl TurningParts<'_> {

@@ -10,7 +10,7 @@ use nalgebra::SVector;
 
 use crate::contact::State;
 use crate::grasp::{Engine, HandPart, JointKind, PartLabel, WholeContact};
-use crate::numerics::tolerances::SOLVED_ROUNDING;
+use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
 use crate::numerics::{Vector, any_index, highest, largest};
 use crate::object::Problem;
 use crate::prelude::*;
@@ -319,6 +319,12 @@ impl Engine {
             MotionOf::Slip(site) => TooFar::Slips { contact: contact(site), limit },
             MotionOf::Opening(site) => TooFar::Opens { contact: contact(site), limit },
         }
+    }
+
+    /// Whether no motion of an answer is beyond its limit by more than rounding. A load path ends where a motion is at its limit up to rounding.
+    pub(super) fn is_within(&self, small: &SmallMotions, standing: &MotionData<'_>) -> bool {
+        let motions = self.counted_motions(small, standing);
+        farthest(&motions).is_none_or(|motion| motion.over_the_limit() <= 1.0 + NEGLIGIBLE)
     }
 
     /// The motion of an answer that is farthest beyond its limit; `None` if all motions are small.

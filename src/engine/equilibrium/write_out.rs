@@ -49,16 +49,17 @@ impl Engine {
         let (joints, tendons) = self.hand_answers(problem, &found);
         let leaks = || self.leaking_cup(&|i| found.states[i].is_open()).map(|cup| TooFar::Leaks { cup });
         let standing = MotionData::found(problem, &found);
-        let too_far =
-            if self.buckles_in(&contacts, &found.states, load) || self.snaps_through(&standing, load) {
-                Some(TooFar::Buckles)
-            } else if !contacts.iter().any(|contact| self.just_touches(contact))
-                && self.driven_along(&found.free_motions, &forces_in(&contacts), load).is_some()
-            {
-                Some(TooFar::TurnsOver)
-            } else {
-                leaks().or_else(|| self.farthest_beyond(&small, &standing))
-            };
+        // Where motions are beyond their limits, they say more than a snap-through that follows from them.
+        let snaps = || self.snaps_through(&standing, load) && self.is_within(&small, &standing);
+        let too_far = if self.buckles_in(&contacts, &found.states, load) || snaps() {
+            Some(TooFar::Buckles)
+        } else if !contacts.iter().any(|contact| self.just_touches(contact))
+            && self.driven_along(&found.free_motions, &forces_in(&contacts), load).is_some()
+        {
+            Some(TooFar::TurnsOver)
+        } else {
+            leaks().or_else(|| self.farthest_beyond(&small, &standing))
+        };
         Equilibrium {
             load: *load,
             residuals: self.residuals(problem, load, &twist, (&contacts, &found), cone),
