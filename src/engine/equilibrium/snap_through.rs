@@ -10,9 +10,9 @@ use nalgebra::SVector;
 use super::answer::Equilibrium;
 use super::left_out::{LEAST_FRACTION, positive_factors, sticking_springs};
 use super::too_far::MotionData;
-use super::turning_parts::TurningParts;
+use super::turning_parts::{TurningParts, carried_load};
 use crate::contact::State;
-use crate::grasp::{Engine, Wrench, size_of};
+use crate::grasp::{Engine, Wrench};
 use crate::numerics::{Vector, mapped};
 use crate::prelude::*;
 
@@ -33,7 +33,8 @@ impl Engine {
             Some(turned) => turned.held()?,
             None => rest.local.twist.to(),
         };
-        let change = self.carried(there) - self.carried(rest);
+        let carried = |of: &Equilibrium<3>| carried_load(self.sites(), &site_forces(of));
+        let change = carried(there) - carried(rest);
         let kept = change.dot(&(there.local.twist.to() - rest.local.twist.to()));
         let now = change.dot(&(turned - turned_at_rest));
         (kept > 0.0 && now > 0.0).then(|| kept / now - 1.0).filter(|part| part.abs() > LEAST_FRACTION)
@@ -41,26 +42,10 @@ impl Engine {
 
     /// The fate of the load of an equilibrium, as [`Self::with_turned_parts`] says.
     fn turned_from(&self, of: &Equilibrium<3>) -> Option<WithTurnedParts> {
-        let local = &of.local;
-        let mut forces: Vec<SVector<f64, 3>> = mapped(&of.contacts, &|contact| contact.force);
-        forces.extend(&local.drive_forces);
-        let twist = local.twist.to();
+        let (local, forces, twist) = (&of.local, site_forces(of), of.local.twist.to());
         let (offsets, slips, states) = (&local.offsets[..], &local.slips[..], &local.states[..]);
-        self.with_turned_parts(
-            &MotionData { offsets, slips, states, forces: &forces, twist: &twist },
-            &of.load,
-        )
-    }
-
-    /// The load that contacts and drives carry in an equilibrium, as generalised forces in all coordinates.
-    fn carried(&self, of: &Equilibrium<3>) -> Vector {
-        let mut forces: Vec<SVector<f64, 3>> = mapped(&of.contacts, &|contact| contact.force);
-        forces.extend(&of.local.drive_forces);
-        let mut load = Vector::all_zero(size_of(self.sites()));
-        for (site, force) in self.sites().iter().zip(forces) {
-            load -= &site.map * force;
-        }
-        load
+        let standing = MotionData { offsets, slips, states, forces: &forces, twist: &twist };
+        self.with_turned_parts(&standing, &of.load)
     }
 
     /// The fate of an equilibrium's load if its parts turn by finite rotations. `None` if a contact slides, if the points of action of the load are not
@@ -74,9 +59,7 @@ impl Engine {
         let parts = TurningParts::new(self, standing, load);
         parts.arms_matter(standing.twist).then(|| parts.follow(standing.twist))
     }
-}
 
-impl Engine {
     /// Whether the change of arms can make some contact do more than the fraction [`LEAST_WORK`] of the elastic work of all contacts: the arm r of a
     /// force changes by at most `½ |θ|² |r|` beyond the first order of the rotation θ, a rope or spring of length L by the square of its lean over 2 L.
     fn arms_may_matter(&self, standing: &MotionData<'_>) -> bool {
@@ -109,6 +92,13 @@ impl Engine {
         }
         largest > LEAST_WORK * elastic
     }
+}
+
+/// The forces of all contacts and drives in an equilibrium, N, in their frames.
+fn site_forces(of: &Equilibrium<3>) -> Vec<SVector<f64, 3>> {
+    let mut forces = mapped(&of.contacts, &|contact| contact.force);
+    forces.extend(&of.local.drive_forces);
+    forces
 }
 
 /// The fate of a load, if the parts that carry it turn by finite rotations.

@@ -9,7 +9,7 @@ use nalgebra::{SMatrix, SVector};
 
 use super::left_out::{add_to_free_motions, positive_factors, sticking_springs};
 use super::too_far::MotionData;
-use crate::grasp::{Engine, Hold, PointsOfAction, Wrench, size_of};
+use crate::grasp::{Engine, Hold, PointsOfAction, Site, Wrench, size_of};
 use crate::numerics::{IntoList, Square, Vector, indexed, mapped};
 use crate::object::tangent_stiffness;
 use crate::prelude::*;
@@ -40,7 +40,7 @@ pub(super) struct TurningParts<'e> {
     /// The force F_0 of each contact and drive without a motion, N, in its frame.
     forces: Vec<SVector<f64, 3>>,
     /// The load, as generalised forces in all coordinates.
-    pub(super) load: Vector,
+    load: Vector,
     /// The projection on the motions that springs resist, and the stiffness that all other motions get, N/m; `None` if springs resist all motions.
     pub(super) resisted: Option<(Square, f64)>,
 }
@@ -65,10 +65,6 @@ impl<'e> TurningParts<'e> {
         });
         let forces =
             indexed(sites, &|(i, site)| standing.forces[i] + springs[i] * site.map.tr_mul(standing.twist));
-        let mut whole = Vector::all_zero(size_of(sites));
-        for (site, force) in sites.iter().zip(standing.forces) {
-            whole -= &site.map * *force;
-        }
         let (axes, of_body) = (engine.space().axes(), engine.space().of_the_object());
         let loads = engine.loads_of_bodies(load);
         let bodies = loads.iter().enumerate().map(|(body, load)| {
@@ -82,8 +78,15 @@ impl<'e> TurningParts<'e> {
         let is_resisted = positive_factors(elastic.size().count(), &|i, j| elastic[(i, j)]).is_some();
         let resisted = (!is_resisted).then(|| engine.resisted_motions(&elastic));
         let displaced = Vector::all_zero(size_of(sites));
-        let mut parts =
-            Self { engine, bodies: bodies.list(), displaced, springs, forces, load: whole, resisted };
+        let mut parts = Self {
+            engine,
+            bodies: bodies.list(),
+            displaced,
+            springs,
+            forces,
+            load: carried_load(sites, standing.forces),
+            resisted,
+        };
         parts.move_by(standing.twist);
         parts
     }
@@ -210,6 +213,15 @@ impl<'e> TurningParts<'e> {
             body.turned += step + step * body.turned;
         }
     }
+}
+
+/// The load that these forces of contacts and drives carry, as generalised forces in all coordinates.
+pub(super) fn carried_load(sites: &[Site], forces: &[SVector<f64, 3>]) -> Vector {
+    let mut load = Vector::all_zero(size_of(sites));
+    for (site, force) in sites.iter().zip(forces) {
+        load -= &site.map * *force;
+    }
+    load
 }
 
 /// A rotation matrix less the unit matrix by Cayley's formula, for a small rotation vector of which `half` is one half. The angle agrees up to terms of

@@ -1,5 +1,5 @@
-//! The point on a load path from which on the theory of small motions no longer applies: some motion is too large, a suction cup leaks, or the
-//! grasp buckles. A leg is a section of the load program; at rest means in the equilibrium from which the path starts.
+//! The point on a load path from which on the theory of small motions no longer applies: some motion is too large, a suction cup leaks, the grasp
+//! buckles, or the object turns over. A leg is a section of the load program; at rest means in the equilibrium from which the path starts.
 
 use super::event::{Event, PathEnd};
 use super::following::AnyPath;
@@ -11,22 +11,22 @@ use crate::numerics::tolerances::NEGLIGIBLE;
 
 impl<const C: usize> LoadPath<'_, C> {
     /// The point, on the part of the path followed so far, from which on the answers say little about the object. There a motion is no longer small,
-    /// a suction cup leaks ([`Self::end_of_small_motions`]), or the grasp [buckles](TooFar::Buckles). Buckling is checked at rest and at the end of
-    /// each leg and of the path, wherever the points of action of the load are known. The point at which buckling begins is then found to nine
-    /// digits.
+    /// a suction cup leaks ([`Self::end_of_small_motions`]), the grasp [buckles](TooFar::Buckles), or the object [turns over](TooFar::TurnsOver).
+    /// The last two are checked at rest and at the end of each leg and of the path, wherever the points of action of the load are known. The point at
+    /// which they begin is then found to nine digits.
     #[must_use]
     pub fn end_of_theory(&self) -> Option<EndOfSmallMotions> {
         self.end_of_theory_before(self.end_of_small_motions())
     }
 
-    /// The point from which on the theory of small motions no longer applies: the beginning of buckling, or `far` if that comes first. `far` is the
+    /// The point from which on the theory of small motions no longer applies: the beginning of buckling or turning over, or `far` if that comes first. `far` is the
     /// point at which motions cease to be small.
     pub(crate) fn end_of_theory_before(&self, far: Option<&EndOfSmallMotions>) -> Option<EndOfSmallMotions> {
         end_of_theory(&*self.0, far)
     }
 }
 
-/// The point of the path from which on the grasp buckles, if it comes before the point `far` at which motions cease to be small; else `far`.
+/// The point of the path from which on the grasp buckles or the object turns over, if it comes before the point `far` at which motions cease to be small; else `far`.
 pub(super) fn end_of_theory<const C: usize>(
     path: &dyn AnyPath<C, Event<C>>,
     far: Option<&EndOfSmallMotions>,
@@ -36,8 +36,8 @@ pub(super) fn end_of_theory<const C: usize>(
     unstable.or_else(|| far.cloned())
 }
 
-/// The point of the path, to nine digits, from which on the grasp buckles. Buckling is checked at rest, at the end of each leg and at the point `end`,
-/// wherever the points of action of the load are known. Along a load that turns it is checked in between, too.
+/// The point of the path, to nine digits, from which on the grasp buckles or the object turns over. Both are checked at rest, at the end of each leg and at the point `end`,
+/// wherever the points of action of the load are known. Along a load that turns they are checked in between, too.
 fn unstable_from<const C: usize>(
     path: &dyn AnyPath<C, Event<C>>,
     end: (usize, f64),
@@ -75,17 +75,14 @@ fn unstable_from<const C: usize>(
             None => from = middle,
         }
     }
-    // At a loss of equilibrium contacts without a force no longer resist some motion. The loss says more than an instability there.
-    let at_the_loss = path.end().and_then(PathEnd::loss).is_some() && leg == end.0;
-    (!at_the_loss || from < end.1 * (1.0 - AT_THE_LOSS)).then_some(EndOfSmallMotions {
-        leg,
-        fraction: from,
-        what,
-    })
+    // At a loss of equilibrium contacts without a force no longer resist some motion. The loss says more than that the object turns over there.
+    let loss = path.end().and_then(PathEnd::loss).filter(|loss| what == TooFar::TurnsOver && loss.leg == leg);
+    let is_loss = loss.is_some_and(|loss| from >= loss.fraction * (1.0 - AT_THE_LOSS));
+    (!is_loss).then_some(EndOfSmallMotions { leg, fraction: from, what })
 }
 
-/// An instability that begins within this fraction of a leg before a loss of equilibrium counts as the loss. If smaller, rounding of contact forces
-/// that vanish at the loss is taken for an instability; if larger, the end of the path is a little less safe than it says.
+/// An object that begins to turn over within this part of the load before a loss of equilibrium is lost there. If smaller, rounding of contact forces
+/// that vanish at the loss is taken for turning over; if larger, the end of the path is a little less safe than it says.
 const AT_THE_LOSS: f64 = 1e-6;
 
 /// Number of parts into which a leg with a turning load is divided; buckling is checked at the end of each part. With fewer parts, a range of angles
