@@ -9,6 +9,10 @@ use nalgebra::SVector;
 
 use super::answer::Equilibrium;
 use super::left_out::{LEAST_FRACTION, positive_factors, sticking_springs};
+use super::tolerances::{
+    FARTHEST_MOTION, FIRST_SHARE, LAST_NEWTON_STEP, LEAST_SHARE, MOST_SHARES, NEWTON_STEPS_OF_A_SHARE,
+    WORK_OF_ARMS,
+};
 use super::too_far::MotionData;
 use super::turning_parts::{TurningParts, carried_load};
 use crate::contact::State;
@@ -60,7 +64,7 @@ impl Engine {
         parts.arms_matter(standing.twist).then(|| parts.follow(standing.twist))
     }
 
-    /// Whether the change of arms can make some contact do more than the fraction [`LEAST_WORK`] of the elastic work of all contacts: the arm r of a
+    /// Whether the change of arms can make some contact do more than the fraction [`WORK_OF_ARMS`] of the elastic work of all contacts: the arm r of a
     /// force changes by at most `½ |θ|² |r|` beyond the first order of the rotation θ, a rope or spring of length L by the square of its lean over 2 L.
     fn arms_may_matter(&self, standing: &MotionData<'_>) -> bool {
         let axes = self.space().axes();
@@ -90,7 +94,7 @@ impl Engine {
             reach += self.rope(i).map_or(0.0, |length| 0.5 * lean * lean / length);
             largest = largest.max(force.norm() * reach);
         }
-        largest > LEAST_WORK * elastic
+        largest > WORK_OF_ARMS * elastic
     }
 }
 
@@ -117,7 +121,7 @@ impl WithTurnedParts {
 }
 
 impl TurningParts<'_> {
-    /// Whether the change of arms makes some contact do more than the fraction [`LEAST_WORK`] of the elastic work of all contacts, in the motion
+    /// Whether the change of arms makes some contact do more than the fraction [`WORK_OF_ARMS`] of the elastic work of all contacts, in the motion
     /// `twist` of small motions.
     fn arms_matter(&self, twist: &Vector) -> bool {
         let (mut elastic, mut largest) = (0.0, 0.0_f64);
@@ -127,14 +131,14 @@ impl TurningParts<'_> {
             elastic += force.dot(&linear).abs();
             largest = largest.max(force.dot(&(self.site(i, 1.0).moved - linear)).abs());
         }
-        largest > LEAST_WORK * elastic
+        largest > WORK_OF_ARMS * elastic
     }
 
     /// Follows the equilibrium from small motions to finite rotations. `twist` is the motion of the equilibrium of small motions.
     fn follow(mut self, twist: &Vector) -> WithTurnedParts {
-        let (mut share, mut step) = (0.0, FIRST_STEP);
-        for _ in 0..MOST_TRIALS {
-            if share >= 1.0 || step < LEAST_STEP {
+        let (mut share, mut step) = (0.0, FIRST_SHARE);
+        for _ in 0..MOST_SHARES {
+            if share >= 1.0 || step < LEAST_SHARE {
                 break;
             }
             let before = (self.bodies.clone(), self.displaced.clone());
@@ -153,46 +157,23 @@ impl TurningParts<'_> {
     }
 
     /// Finds the equilibrium with this share of exact rotations by Newton's method, from the present position. False if the tangent stiffness is not
-    /// positive definite on the way, or if the position moves by more than [`FARTHEST_STEP`] times `whole`, the length of the motion of small motions.
+    /// positive definite on the way, or if the position moves by more than [`FARTHEST_MOTION`] times `whole`, the length of the motion of small motions.
     fn balance(&mut self, share: f64, whole: f64) -> bool {
         let mut moved = 0.0;
-        for _ in 0..NEWTON_STEPS {
+        for _ in 0..NEWTON_STEPS_OF_A_SHARE {
             let (mut step, stiffness) = self.imbalance(share);
             let count = stiffness.size().count();
             let Some(factors) = positive_factors(count, &|i, j| stiffness[(i, j)]) else { return false };
             factors.solve(step.as_mut_slice());
             moved += step.norm();
-            if moved > FARTHEST_STEP * whole || moved.is_nan() {
+            if moved > FARTHEST_MOTION * whole || moved.is_nan() {
                 return false;
             }
             self.move_by(&step);
-            if step.norm() <= CONVERGED * whole {
+            if step.norm() <= LAST_NEWTON_STEP * whole {
                 return true;
             }
         }
         false
     }
 }
-
-/// Part of the elastic work below which the change of arms is neglected. At a snap-through it is near a fifth. If larger, a part that snaps through
-/// beside much softer ones would be missed; if smaller, ordinary grasps would take longer.
-const LEAST_WORK: f64 = 0.01;
-
-/// The first step of the share of exact rotations. If larger, first steps often fail; if smaller, there are more steps than needed.
-const FIRST_STEP: f64 = 0.25;
-
-/// Least step of the share of exact rotations: if none as long succeeds, the load is lost. If larger, loads are called lost that are a little smaller
-/// than those lost in truth; if smaller, the search takes longer.
-const LEAST_STEP: f64 = 1e-4;
-
-/// Number of steps that are tried, with or without success. Ten to forty are usual. If none leads to the end, the load counts as lost.
-const MOST_TRIALS: usize = 200;
-
-/// Length of the longest motion in a step, as a part of the whole motion. If larger, a step may pass over the loss, to an equilibrium beyond.
-const FARTHEST_STEP: f64 = 0.1;
-
-/// Number of Newton's steps in which an equilibrium has to be found. Three are usual.
-const NEWTON_STEPS: usize = 12;
-
-/// Length of the last of Newton's steps, as a part of the whole motion. The method converges quadratically, so that the next step is rounding.
-const CONVERGED: f64 = 1e-9;

@@ -20,7 +20,7 @@ use crate::words::{LinkKind, MOST_NAMES, Words, listed, open, opens, printable};
 const NO_LONGER_SMALL: &str = "; beyond this, results for small motions no longer apply";
 
 /// An object that turns over under this fraction of the load turns over at once: under smaller loads, rounding of the forces at rest decides.
-const AT_ONCE: f64 = 1e-6;
+const TURNS_AT_ONCE: f64 = 1e-6;
 
 /// The clause about contact forces that turn with the parts they act on. By turning they add to the resistance of the springs or take from it. `part`
 /// is the change as a fraction of this resistance ([`Verdict::left_out`]). If the fraction f is taken away, motions are up to 1/(1 - f) times as
@@ -114,7 +114,7 @@ impl<const C: usize> fmt::Display for Verdict<C> {
             }
             Holding::TurnsOver { motion } => {
                 let motion = words.direction_of(motion);
-                let from = self.lost.as_ref().map(|lost| lost.factor).filter(|from| *from > AT_ONCE);
+                let from = self.lost.as_ref().map(|lost| lost.factor).filter(|from| *from > TURNS_AT_ONCE);
                 let at = from.map_or_else(String::new, |from| format!(" at {}", self.part(from, words)));
                 write!(
                     f,
