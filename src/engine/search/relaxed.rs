@@ -19,10 +19,11 @@
 //! ```
 //!
 //! Here δ, nearly zero, is the largest of the products on the left of the second relation. The vector y contradicts every equilibrium whose
-//! coefficients s have a sum below `|y|²/δ`.
+//! coefficients s have a sum below `|y|²/δ`. This is so for every y on the way to the nearest value, too, with a larger δ.
 
 use nalgebra::SVector;
 
+use super::tolerances::OUT_OF_REACH;
 use crate::contact::HullRay;
 use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
 use crate::numerics::{IntoList, NearestPoint, Vector, by_axis, mapped, numbered, summed};
@@ -173,15 +174,13 @@ impl BalanceEquation {
                     (best, most) = (Some(tag), work);
                 }
             }
-            let Some(tag) = best else {
-                let escape = distance * distance / hardest;
-                // A contradiction is proved only if the distance of the nearest point from the target, which has length one, is clearly larger than
-                // rounding, here 1e-10.
-                if escape >= ESCAPE && distance >= 1e-10 {
-                    return Relaxed::Contradicted { escape };
-                }
-                break;
-            };
+            // A contradiction is proved only if the distance of the nearest point from the target, which has length one, is clearly larger than
+            // rounding, here 1e-10. While generators can still be added, equilibria must be out of reach.
+            let (escape, proves) = (distance * distance / hardest, distance >= 1e-10);
+            if proves && escape >= if best.is_some() { OUT_OF_REACH } else { ESCAPE } {
+                return Relaxed::Contradicted { escape };
+            }
+            let Some(tag) = best else { break };
             tried.push(tag);
             let ray = &hulls[tag.0].as_ref()[tag.1];
             self.column(tag.0, ray, &mut column);

@@ -34,3 +34,10 @@ pub(super) const MOST_WORK: usize = 500_000_000;
 /// If smaller, this equilibrium is refused if the viscous motion has not come close enough to it yet. If larger, another equilibrium, to which
 /// Newton's method has jumped, is taken as this equilibrium.
 pub(super) const NEAR_THE_RELAXED_STATE: f64 = 0.3;
+
+/// In branch and bound on the round cone, an equilibrium with stretches and forces at least this multiple of those of the elastic trial, in energy
+/// units, counts as none: parts would have to move by kilometres.
+///
+/// If smaller, equilibria of very soft contacts beside very stiff ones are missed; if larger, cases whose only equilibrium is near infinity stay
+/// undecided.
+pub(super) const OUT_OF_REACH: f64 = 1e8;
