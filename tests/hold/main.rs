@@ -7,6 +7,7 @@ mod kinetic;
 mod kinetic_described_anew;
 mod leaks;
 mod left_out;
+mod limit_of_rotations;
 mod named_together;
 mod nothing_near;
 mod nothing_near_in_space;

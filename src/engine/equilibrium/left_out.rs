@@ -126,9 +126,7 @@ impl Engine {
         if !self.is_asked_for_buckling() {
             return None;
         }
-        let springs =
-            |i: usize| if is_open(i) { SMatrix::zeros() } else { sticking_springs(&self.sites()[i]) };
-        let mut both = (tangent_stiffness(self.sites(), &springs), self.geometric_stiffness(forces, load));
+        let mut both = self.stiffnesses(forces, is_open, load);
         // A grasp that is stable in every motion does not buckle, so its free motions (which no spring resists) need not be found.
         if is_stable(&both, times) {
             return None;
@@ -137,6 +135,19 @@ impl Engine {
         both.1 = &(&resisted * &both.1) * &resisted;
         add_to_free_motions(&mut both.0, (&resisted, largest));
         (!is_stable(&both, times) && is_stable(&both, 0.0)).then_some(both)
+    }
+
+    /// The stiffness K if all closed contacts stick, and the geometric stiffness K_g of the contact forces `forces`, N, along the coordinate axes, and
+    /// of the load.
+    pub(super) fn stiffnesses(
+        &self,
+        forces: &[SVector<f64, 3>],
+        is_open: &(dyn Fn(usize) -> bool + Sync),
+        load: &Wrench<3>,
+    ) -> (Square, Square) {
+        let springs =
+            |i: usize| if is_open(i) { SMatrix::zeros() } else { sticking_springs(&self.sites()[i]) };
+        (tangent_stiffness(self.sites(), &springs), self.geometric_stiffness(forces, load))
     }
 
     /// The projection matrix on the motions that springs with the stiffness K resist, and the largest eigenvalue of K.

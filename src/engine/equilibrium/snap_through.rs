@@ -4,27 +4,41 @@
 //! The equilibrium of small motions is known. From it Newton's method leads, under the same load, to the equilibrium with exact rotations of all parts
 //! ([`TurningParts`]), whose share grows from 0 to 1. If the tangent stiffness is no longer positive definite on the way, the load is lost. This
 //! stiffness contains the turning forces, as in `left_out`.
+//!
+//! The same equilibrium says how far parts turn where the forces that turn with them take much of the resistance.
 
 use nalgebra::SVector;
 
 use super::answer::Equilibrium;
 use super::left_out::{LEAST_FRACTION, positive_factors, sticking_springs};
 use super::tolerances::{
-    FARTHEST_MOTION, FIRST_SHARE, LAST_NEWTON_STEP, LEAST_SHARE, MOST_SHARES, NEWTON_STEPS_OF_A_SHARE,
-    WORK_OF_ARMS,
+    FARTHEST_MOTION, FIRST_SHARE, LAST_NEWTON_STEP, LEAST_PART_OF_A_LIMIT, LEAST_SHARE, MOST_SHARES,
+    NEWTON_STEPS_OF_A_SHARE, WORK_OF_ARMS,
 };
-use super::too_far::MotionData;
+use super::too_far::{CountedMotion, MotionData, TooFar, farthest};
 use super::turning_parts::{TurningParts, carried_load};
 use crate::contact::State;
 use crate::grasp::{Engine, Wrench};
-use crate::numerics::{Vector, mapped};
+use crate::numerics::{Vector, indexed, mapped};
 use crate::prelude::*;
+use crate::search::SmallMotions;
 
 impl Engine {
-    /// Whether the load of an equilibrium is lost if its parts turn by finite rotations. Also false if a contact slides, if the points of action of the
-    /// load are not known, or if arms change so little that no contact does a hundredth of the elastic work along their change.
-    pub(super) fn snaps_through(&self, standing: &MotionData<'_>, load: &Wrench<3>) -> bool {
-        matches!(self.with_turned_parts(standing, load), Some(WithTurnedParts::Lost))
+    /// What finite rotations of its parts make of an equilibrium of small motions: the load is lost ([`TooFar::Buckles`]), or a motion is beyond its
+    /// limit. `None` if neither is so, if a contact slides, or if the points of action of the load are not known. `None` also if rotations hardly change
+    /// the motion: no contact does a hundredth of the elastic work along the change of arms, and forces that turn with the parts take little resistance.
+    pub(crate) fn too_far_with_turned_parts(
+        &self,
+        small: &SmallMotions,
+        standing: &MotionData<'_>,
+        load: &Wrench<3>,
+    ) -> Option<TooFar> {
+        match self.with_turned_parts(standing, load, Some(small))? {
+            WithTurnedParts::Lost => Some(TooFar::Buckles),
+            WithTurnedParts::Held(turned) => {
+                self.farthest_beyond(small, &MotionData { twist: &turned?, ..*standing })
+            }
+        }
     }
 
     /// The change of the resistance to a load by finite rotations of all parts, as a fraction of the resistance without them: `ΔW·q / ΔW·q' - 1`. ΔW is
@@ -49,19 +63,49 @@ impl Engine {
         let (local, forces, twist) = (&of.local, site_forces(of), of.local.twist.to());
         let (offsets, slips, states) = (&local.offsets[..], &local.slips[..], &local.states[..]);
         let standing = MotionData { offsets, slips, states, forces: &forces, twist: &twist };
-        self.with_turned_parts(&standing, &of.load)
+        self.with_turned_parts(&standing, &of.load, None)
     }
 
-    /// The fate of an equilibrium's load if its parts turn by finite rotations. `None` if a contact slides, if the points of action of the load are not
-    /// known, or if arms hardly change.
-    fn with_turned_parts(&self, standing: &MotionData<'_>, load: &Wrench<3>) -> Option<WithTurnedParts> {
+    /// The fate of an equilibrium's load if its parts turn by finite rotations. `None` if a contact slides, or if the points of action of the load are
+    /// not known. `None` also if arms hardly change, unless forces enlarge the motion beyond the limits `small`.
+    fn with_turned_parts(
+        &self,
+        standing: &MotionData<'_>,
+        load: &Wrench<3>,
+        small: Option<&SmallMotions>,
+    ) -> Option<WithTurnedParts> {
         // The tangent stiffness of a contact that slides is not symmetric: its friction changes with its normal force alone.
-        let is_asked = self.arms_may_matter(standing) && !standing.states.iter().any(State::slides);
-        if !is_asked || !self.may_buckle(load) {
+        if standing.states.iter().any(State::slides) || !self.may_buckle(load) {
+            return None;
+        }
+        let grows = small.is_some_and(|small| self.grows_too_far(small, standing, load));
+        if !grows && !self.arms_may_matter(standing) {
             return None;
         }
         let parts = TurningParts::new(self, standing, load);
-        parts.arms_matter(standing.twist).then(|| parts.follow(standing.twist))
+        (grows || parts.arms_matter(standing.twist)).then(|| parts.follow(standing.twist))
+    }
+
+    /// Whether the forces of an equilibrium, which turn with its parts, enlarge its motion q beyond a limit of small motions, and by more than the
+    /// fraction [`LEAST_FRACTION`]. With the stiffness K and the geometric stiffness K_g, the motion grows to `(K + K_g)⁻¹ K q`.
+    fn grows_too_far(&self, small: &SmallMotions, standing: &MotionData<'_>, load: &Wrench<3>) -> bool {
+        let over_the_limit = |twist: &Vector| {
+            let motions = self.counted_motions(small, &MotionData { twist, ..*standing });
+            farthest(&motions).map_or(0.0, CountedMotion::over_the_limit)
+        };
+        let linear = over_the_limit(standing.twist);
+        if linear < LEAST_PART_OF_A_LIMIT {
+            return false;
+        }
+        let forces = indexed(self.contacts(), &|(i, _)| self.sites()[i].frame * standing.forces[i]);
+        let (elastic, geometric) = self.stiffnesses(&forces, &|i| standing.states[i].is_open(), load);
+        let mut grown = &elastic * standing.twist;
+        let sum = |i, j| elastic[(i, j)] + geometric[(i, j)];
+        let Some(factors) = positive_factors(elastic.size().count(), &sum) else { return false };
+        factors.solve(grown.as_mut_slice());
+        // The change of arms may enlarge the motion further, so that it is asked a little below the limit, too.
+        let (grown, more) = (over_the_limit(&grown), 1.0 + LEAST_FRACTION);
+        grown > more * linear && more * grown > 1.0
     }
 
     /// Whether the change of arms can make some contact do more than the fraction [`WORK_OF_ARMS`] of the elastic work of all contacts: the arm r of a

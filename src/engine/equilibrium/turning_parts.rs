@@ -224,11 +224,12 @@ pub(super) fn carried_load(sites: &[Site], forces: &[SVector<f64, 3>]) -> Vector
     load
 }
 
-/// A rotation matrix less the unit matrix by Cayley's formula, for a small rotation vector of which `half` is one half. The angle agrees up to terms of
-/// third order.
+/// A rotation matrix less the unit matrix by Cayley's formula, for the rotation vector of which `half` is one half.
 fn rotation_less_one(half: &SVector<f64, 3>) -> SMatrix<f64, 3, 3> {
-    let cross = half.cross_matrix();
-    (cross + cross * cross) * (2.0 / (1.0 + half.norm_squared()))
+    let angle = half.norm();
+    let tangent = if angle > 0.0 { half * (angle.tan() / angle) } else { *half };
+    let cross = tangent.cross_matrix();
+    (cross + cross * cross) * (2.0 / (1.0 + tangent.norm_squared()))
 }
 
 /// A frame with its first axis along `line`, and its other axes near those of `frame`, if `frame` has them.

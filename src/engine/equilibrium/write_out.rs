@@ -50,15 +50,21 @@ impl Engine {
         let leaks = || self.leaking_cup(&|i| found.states[i].is_open()).map(|cup| TooFar::Leaks { cup });
         let standing = MotionData::found(problem, &found);
         // Where motions are beyond their limits, they say more than a snap-through that follows from them.
-        let snaps = || self.snaps_through(&standing, load) && self.is_within(&small, &standing);
-        let too_far = if self.buckles_in(&contacts, &found.states, load) || snaps() {
+        let turned = if self.buckles_in(&contacts, &found.states, load) {
             Some(TooFar::Buckles)
+        } else if self.is_within(&small, &standing) {
+            self.too_far_with_turned_parts(&small, &standing, load)
+        } else {
+            None
+        };
+        let too_far = if turned == Some(TooFar::Buckles) {
+            turned
         } else if !contacts.iter().any(|contact| self.just_touches(contact))
             && self.driven_along(&found.free_motions, &forces_in(&contacts), load).is_some()
         {
             Some(TooFar::TurnsOver)
         } else {
-            leaks().or_else(|| self.farthest_beyond(&small, &standing))
+            leaks().or_else(|| self.farthest_beyond(&small, &standing)).or(turned)
         };
         Equilibrium {
             load: *load,

@@ -12,8 +12,8 @@ use crate::numerics::tolerances::NEGLIGIBLE;
 impl<const C: usize> LoadPath<'_, C> {
     /// The point, on the part of the path followed so far, from which on the answers say little about the object. There a motion is no longer small,
     /// a suction cup leaks ([`Self::end_of_small_motions`]), the grasp [buckles](TooFar::Buckles), or the object [turns over](TooFar::TurnsOver).
-    /// The last two are checked at rest and at the end of each leg and of the path, wherever the points of action of the load are known. The point at
-    /// which they begin is then found to nine digits.
+    /// The last two are checked at rest, at the end of each leg and of the path, and where the first contact slides, wherever the points of action of
+    /// the load are known. So are motions that finite rotations make larger than small ones. The point at which they begin is then found to nine digits.
     #[must_use]
     pub fn end_of_theory(&self) -> Option<EndOfSmallMotions> {
         self.end_of_theory_before(self.end_of_small_motions())
@@ -32,13 +32,16 @@ pub(super) fn end_of_theory<const C: usize>(
     far: Option<&EndOfSmallMotions>,
 ) -> Option<EndOfSmallMotions> {
     let end = far.map_or(path.place(), |far| (far.leg, far.fraction));
-    let unstable = unstable_from(path, end).filter(|at| far.is_none() || (at.leg, at.fraction) < end);
-    unstable.or_else(|| far.cloned())
+    // At the point `far` itself the motion is at its limit without finite rotations, too.
+    let until = if far.is_some() { (end.0, end.1 * (1.0 - NEGLIGIBLE)) } else { end };
+    let before = before_large_motions(path, until).filter(|at| far.is_none() || (at.leg, at.fraction) < end);
+    before.or_else(|| far.cloned())
 }
 
-/// The point of the path, to nine digits, from which on the grasp buckles or the object turns over. Both are checked at rest, at the end of each leg and at the point `end`,
-/// wherever the points of action of the load are known. Along a load that turns they are checked in between, too.
-fn unstable_from<const C: usize>(
+/// The point of the path, to nine digits, from which on the grasp buckles, the object turns over, or finite rotations make a motion too large. All are
+/// checked at rest, at the end of each leg, where the first contact slides and at the point `end`, wherever the points of action of the load are known.
+/// Along a load that turns they are checked in between, too. Up to `end` the motions of small rotations are within their limits.
+fn before_large_motions<const C: usize>(
     path: &dyn AnyPath<C, Event<C>>,
     end: (usize, f64),
 ) -> Option<EndOfSmallMotions> {
@@ -56,12 +59,18 @@ fn unstable_from<const C: usize>(
         let parts = if turns(leg, to) { PARTS_OF_A_TURN } else { 1 };
         places.extend((1..=parts).map(|k| (leg, to * f64::from(k) / f64::from(parts))));
     }
+    // Just before a slip nothing slides, so that finite rotations are asked there.
+    let before_a_slip = path.sticks_until().map(|(leg, fraction)| (leg, fraction * (1.0 - NEGLIGIBLE)));
+    if let Some(last) = before_a_slip.filter(|last| *last < end) {
+        places.insert(places.partition_point(|place| *place < last), last);
+    }
     places.dedup();
-    let unstable = |place: &(usize, f64)| {
-        path.state_at(place.0, place.1).and_then(|state| state.too_far).filter(TooFar::is_unstable)
+    let ends_theory = |place: &(usize, f64)| {
+        let too_far = path.state_at(place.0, place.1).and_then(|state| state.too_far);
+        too_far.filter(|what| !matches!(what, TooFar::Leaks { .. }))
     };
     let (first, mut what) =
-        places.iter().enumerate().find_map(|(first, place)| Some((first, unstable(place)?)))?;
+        places.iter().enumerate().find_map(|(first, place)| Some((first, ends_theory(place)?)))?;
     let (leg, mut to) = places[first];
     let mut from = match first.checked_sub(1).map(|before| places[before]) {
         None => to,
@@ -70,7 +79,7 @@ fn unstable_from<const C: usize>(
     };
     while to - from > NEGLIGIBLE * to && to > NEGLIGIBLE {
         let middle = 0.5 * (from + to);
-        match unstable(&(leg, middle)) {
+        match ends_theory(&(leg, middle)) {
             Some(why) => (to, what) = (middle, why),
             None => from = middle,
         }

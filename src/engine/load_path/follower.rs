@@ -114,4 +114,9 @@ pub(crate) trait Follower<'g>: Debug {
     fn all_slide_from(&self, _until: (usize, f64)) -> Option<(usize, f64)> {
         None
     }
+
+    /// The last place (leg and fraction of it) where a piece of the path ends on which nothing slides. `None` from a follower that does not store its past.
+    fn sticks_until(&self) -> Option<(usize, f64)> {
+        None
+    }
 }

@@ -118,6 +118,7 @@ pub(crate) trait AnyPath<const C: usize, T>: Debug {
     fn end_of_small_motions(&self) -> Option<&EndOfSmallMotions>;
     fn farthest(&self) -> f64;
     fn all_slide_from(&self, until: (usize, f64)) -> Option<(usize, f64)>;
+    fn sticks_until(&self) -> Option<(usize, f64)>;
 }
 
 impl<'g, F: Follower<'g>> AnyPath<3, F::Report> for Following<'g, F> {
@@ -210,5 +211,9 @@ impl<'g, F: Follower<'g>> AnyPath<3, F::Report> for Following<'g, F> {
 
     fn all_slide_from(&self, until: (usize, f64)) -> Option<(usize, f64)> {
         self.follower.as_ref()?.all_slide_from(until)
+    }
+
+    fn sticks_until(&self) -> Option<(usize, f64)> {
+        self.follower.as_ref()?.sticks_until()
     }
 }

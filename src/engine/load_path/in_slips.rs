@@ -29,7 +29,7 @@ use super::slip_rates::{MOST_SLIDING, Slips};
 use super::slip_steps::{GOES_ON, GROWS, SMALL};
 use super::snapping_over::{StateAfterSnap, a_little};
 use super::trajectory::Trajectory;
-use crate::equilibrium::{CountedMotion, farthest};
+use crate::equilibrium::{CountedMotion, MotionData, farthest};
 use crate::grasp::{Engine, Hold, Site};
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::numerics::{
@@ -99,6 +99,18 @@ impl Engine {
         let (start, begins) = ([1.0, 0.0], vec![1.0, factor]);
         let far = slips.far(&start).max(slips.far(&begins));
         if factor >= most || far > 1.0 - NEGLIGIBLE {
+            return None;
+        }
+        // If finite rotations end the theory before the first slip, the load path finds the load factor.
+        let states = slips.problem.trial_states();
+        let is_beyond = |at: &[f64]| {
+            let (offsets, accumulated) = (&slips.problem.offsets[..], &slips.problem.slips[..]);
+            let (forces, twist) =
+                (&numbered(slips.contacts(), &|i| slips.force(i, at))[..], &slips.twist(at));
+            let standing = MotionData { offsets, slips: accumulated, states: &states, forces, twist };
+            self.too_far_with_turned_parts(&small, &standing, &ramp.load_at(at[1])).is_some()
+        };
+        if is_beyond(&start) || is_beyond(&begins) {
             return None;
         }
         let (forces, end) = ([Vec::new(), Vec::new()], SlipEnd::Held);

@@ -155,6 +155,10 @@ impl<const C: usize, T: Face> AnyPath<C, T> for ConvertedPath<'_, C, T> {
     fn all_slide_from(&self, until: (usize, f64)) -> Option<(usize, f64)> {
         self.inside.all_slide_from(until)
     }
+
+    fn sticks_until(&self) -> Option<(usize, f64)> {
+        self.inside.sticks_until()
+    }
 }
 
 /// Converts a path of the engine for a caller with vectors of `C` components.

@@ -31,7 +31,7 @@ use super::small_motions::EndOfSmallMotions;
 use super::snapping_over::SnapCount;
 use super::stored_piece::{ArcStep, StoredPiece};
 use super::trajectory::Trajectory;
-use crate::contact::WEIGHTLESS;
+use crate::contact::{State, WEIGHTLESS};
 use crate::equilibrium::{ACCURATE, Equilibrium};
 use crate::error::Error;
 use crate::grasp::{Engine, WholeContact, Wrench};
@@ -167,6 +167,12 @@ impl<'g> Follower<'g> for PiecewiseFollower<'g> {
 
     fn all_slide_from(&self, until: (usize, f64)) -> Option<(usize, f64)> {
         self.pieces_all_slide_from(until)
+    }
+
+    fn sticks_until(&self) -> Option<(usize, f64)> {
+        let sticks =
+            |piece: &&StoredPiece<'_>| piece.to > piece.from && !piece.states.iter().any(State::slides);
+        self.behind.iter().rev().find(sticks).map(|piece| (piece.leg, piece.to))
     }
 
     fn state_behind(&self, leg: usize, fraction: f64) -> Option<Equilibrium<3>> {

@@ -7,6 +7,9 @@ use crate::error::{Error, is_moderate};
 ///
 /// A translation of the object while every contact sticks only deflects springs. It changes neither normals nor the relative positions of the
 /// contacts, and has no limit.
+///
+/// While nothing slides, rotations are those with finite rotations of all parts, if the forces that turn with the parts take more than a tenth of what
+/// resists. Otherwise they are those of the linear theory.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(
     feature = "serde",

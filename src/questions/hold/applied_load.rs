@@ -143,7 +143,7 @@ impl Engine {
         // If the object turns over under the whole load, too, the verdict says along which motion, with the forces there.
         let turns_over = state.as_ref().and_then(|state| self.driven_on(state, &ramp.load_at(1.0)));
         let unstable = too_far.as_ref().is_some_and(|far| far.what.is_unstable());
-        let state = state.filter(|_| !unstable || end.0 > 0 || turns_over.is_some());
+        let state = state.filter(|_| too_far.is_none() || end.0 > 0 || turns_over.is_some());
         let held_to = reached(end);
         // If first slip causes a jump whose motion is not small, small motions end at the load factor of first slip. If the computed load factor of
         // first slip exceeds that of the end of small motions by rounding only, first slip still counts.

@@ -6,6 +6,10 @@
 //! loads, add the geometric stiffness `M = Σ (F·r) 1 - ½ (F rᵀ + r Fᵀ)`. In the plane both are numbers, `Σ k_i |r_i|²` and `Σ F·r`. The grasp does
 //! not buckle while all eigenvalues of J⁻¹ M are above -1. The trace `tr (J⁻¹ M)²` is the sum of their squares, so all are above -1 if the trace is
 //! below 1.
+//!
+//! The arms of forces hardly change while the rotation θ is small. Let F be the largest elastic force, ρ the largest arm and k the stiffness of the
+//! stiffest spring. The elastic work exceeds F²/k and θ²/tr J⁻¹, and with them the mean `|F| θ / √(k tr J⁻¹)`. A change of arms, at most `½ θ² 2ρ`, thus
+//! does at most the part `θ ρ √(k tr J⁻¹)` of the elastic work.
 
 use super::block::{Block, count, entries};
 use super::factors::LaneFactors;
@@ -19,6 +23,8 @@ pub(super) struct RotationalStiffness<const C: usize, X: Packed> {
     /// The centroid of the contacts, weighted with their stiffnesses, m.
     centre: [X; C],
     factors: LaneFactors<3, X>,
+    /// The number `ρ √(k tr J⁻¹)` of the head of this file.
+    pub(super) leverage: X,
 }
 
 /// A load with its points of action.
@@ -35,7 +41,7 @@ impl<const C: usize, X: Packed> RotationalStiffness<C, X> {
     #[inline(never)]
     pub(super) fn of<V: Vectors>(v: V, block: &Block<'_, C, X>, method: Method) -> Self {
         let zero = X::all(0.0);
-        let mut stiffness = Self { centre: [zero; C], factors: LaneFactors::none() };
+        let mut stiffness = Self { centre: [zero; C], factors: LaneFactors::none(), leverage: zero };
         v.run(
             #[inline(always)]
             || stiffness.compute(block, method),
@@ -45,13 +51,16 @@ impl<const C: usize, X: Packed> RotationalStiffness<C, X> {
 
     #[inline(always)]
     fn compute(&mut self, block: &Block<'_, C, X>, method: Method) {
-        let least = |i: usize| {
+        // The least and the largest stiffness of a contact.
+        let bounds = |i: usize| {
             let [normal, tangential] = entries(&block.springs(), i);
+            let (least, largest) = (normal.min(tangential), normal.max(tangential));
             match method {
-                Method::Edges => X::all(1.0) / normal.max(tangential),
-                Method::Motions => normal.min(tangential),
+                Method::Edges => [X::all(1.0) / largest, X::all(1.0) / least],
+                Method::Motions => [least, largest],
             }
         };
+        let least = |i: usize| bounds(i)[0];
         let mut stiffness = X::all(0.0);
         for i in 0..count(block.contacts) {
             let (k, point) = (least(i), entries(&block.points(), i));
@@ -63,8 +72,11 @@ impl<const C: usize, X: Packed> RotationalStiffness<C, X> {
         for axis in 0..C {
             self.centre[axis] = self.centre[axis] / stiffness;
         }
+        let [mut stiffest, mut farthest, mut compliance] = [X::all(0.0); 3];
         for i in 0..count(block.contacts) {
             let arm = self.arm(block, i);
+            stiffest = stiffest.max(bounds(i)[1]);
+            farthest = farthest.max(dot(&arm, &arm));
             let mut pull = arm;
             for axis in 0..C {
                 pull[axis] = least(i) * arm[axis];
@@ -72,6 +84,12 @@ impl<const C: usize, X: Packed> RotationalStiffness<C, X> {
             add(&mut self.factors.entries, &pull, &arm);
         }
         self.factors.factorize(rotations(C), false);
+        for k in 0..rotations(C) {
+            let mut unit = [X::all(0.0); 3];
+            unit[k] = X::all(1.0);
+            compliance += self.factors.solve(rotations(C), &unit)[k];
+        }
+        self.leverage = (farthest * stiffest * compliance).sqrt();
     }
 
     #[inline(always)]

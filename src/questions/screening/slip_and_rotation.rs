@@ -18,6 +18,7 @@ use super::screened::Screened;
 use super::springs::Cause;
 use super::tolerances::ON_THE_EDGE;
 use crate::contact::ZERO_SLACK;
+use crate::equilibrium::{LEAST_PART_OF_A_LIMIT, WORK_OF_ARMS};
 use crate::numerics::Vectors;
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::prelude::*;
@@ -41,6 +42,8 @@ pub(crate) struct WhileSticking {
     /// upper bound of the fraction that they take away. If the bound is below 1, the grasp does not buckle. The bound holds under the base load and
     /// under the whole load. NaN if it is not known, if no contact carries a force, or if no rotation was computed.
     pub(crate) taken: f64,
+    /// An upper bound of the work that a change of arms does, as a part of the elastic work and per radian of `turn`. NaN as for `taken`.
+    pub(crate) leverage: f64,
 }
 
 /// A grasp surely does not buckle if forces take away at most this fraction of its stiffness against rotation. At the fraction 1 it may buckle; the
@@ -48,10 +51,15 @@ pub(crate) struct WhileSticking {
 const SURELY: f64 = 0.99;
 
 impl WhileSticking {
-    /// Whether the rotation stays within its `limit`, rad, by more than rounding, and the grasp surely does not buckle. This holds for any change of
-    /// load and commands that multiplies rotation and forces by at most `times`.
+    /// Whether the rotation stays within its `limit`, rad, the grasp surely does not buckle, and finite rotations change neither. This holds for any
+    /// change of load and commands that multiplies rotation and forces by at most `times`.
     pub(crate) fn is_small(&self, limit: f64, times: f64) -> bool {
-        self.turn * times <= limit * (1.0 - NEGLIGIBLE) && self.taken * times <= SURELY
+        let (turn, taken) = (self.turn * times, self.taken * times);
+        // Forces that turn with the object enlarge its rotation by the factor 1/(1 - taken), as the springs measure rotations. The factor one half is
+        // for springs that resist some rotations more than others.
+        let stays =
+            turn <= LEAST_PART_OF_A_LIMIT * limit * (1.0 - NEGLIGIBLE) || turn <= 0.5 * limit * (1.0 - taken);
+        stays && taken <= SURELY && turn * self.leverage <= WORK_OF_ARMS
     }
 }
 
@@ -104,8 +112,12 @@ impl<const C: usize> SlipAndRotation<C> {
 
 impl<const C: usize> ScreeningQuestion<C> for SlipAndRotation<C> {
     type Answer = WhileSticking;
-    const UNKNOWN: WhileSticking =
-        WhileSticking { first: Screened(SlipCode::UNKNOWN), turn: f64::NAN, taken: f64::NAN };
+    const UNKNOWN: WhileSticking = WhileSticking {
+        first: Screened(SlipCode::UNKNOWN),
+        turn: f64::NAN,
+        taken: f64::NAN,
+        leverage: f64::NAN,
+    };
 
     #[inline(always)]
     fn ask<V: Vectors, X: Packed>(
@@ -124,7 +136,7 @@ impl<const C: usize> ScreeningQuestion<C> for SlipAndRotation<C> {
         prepared.under_lanes(&at_rest, base);
         base.add_to(prepared.block.contacts, prepared.squeezed, ON_THE_EDGE / ZERO_SLACK);
         let first = judge(prepared.vectors, &prepared.block, base, rates);
-        let [mut turn, mut taken] = [X::all(f64::NAN); 2];
+        let [mut turn, mut taken, mut leverage] = [X::all(f64::NAN); 3];
         if self.turns {
             let (v, block) = (prepared.vectors, &prepared.block);
             let stiffness = RotationalStiffness::of(v, block, prepared.ready.method());
@@ -138,12 +150,14 @@ impl<const C: usize> ScreeningQuestion<C> for SlipAndRotation<C> {
             turn = start.max(prepared.turned(&more, base)) + zero * start;
             let taken_there = stiffness.taken(v, block, &base.of, &self.at_points(prepared.first, 1.0));
             taken = taken_at_rest.max(taken_there) + zero * taken_at_rest;
+            leverage = stiffness.leverage;
         }
         let first = first.as_ref();
         slots.each(X::each(|lane| WhileSticking {
             first: first[lane],
             turn: turn.lane(lane),
             taken: taken.lane(lane),
+            leverage: leverage.lane(lane),
         }));
     }
 }
