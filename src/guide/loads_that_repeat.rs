@@ -66,7 +66,7 @@
 //!
 //! ```text
 //! $ grasp-lcp need tool.json squeeze --base 0,-5.886 --at=-0.05,0 --force 35,0 --repeats
-//! NEEDS 41.0639 N at palm, 13.688 N at index, 13.688 N at middle and 13.688 N at little (0.684399 times the squeeze given), at most 4.26567 times the squeeze given, so that it comes to rest however often the load is put on
+//! NEEDS 41.0639 N at palm, 13.688 N at index, 13.688 N at middle and 13.688 N at little (0.684399 times the squeeze given), at most 3.65061 times the squeeze given, so that it comes to rest however often the load is put on
 //!   if friction is 10 % less and the squeeze is 5 % less: 1.16794 times as much
 //!   with less: GOES TOO FAR in a cycle: palm slips by more than 2.5 mm: results for small motions no longer apply
 //!   tried were 11 amounts from 0.05 to 10 times the squeeze given

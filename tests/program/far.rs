@@ -1,8 +1,9 @@
 //! Every command labels an answer in which the object turns far beyond small motions.
 //!
-//! Two jaws with the tangential stiffness k_t = 20 N/m at a = ±30 mm turn by θ = M / (2 k_t a²) under a moment M. They turn by 0.1 rad at 3.6 mN m,
-//! and by 0.825 rad at 29.7 mN m, where friction of 0.9 · 0.55 N is exhausted. If they press with 10 N each, these forces drive a turn with 0.6 N m
-//! per radian. The springs resist it with only 2 k_t a² = 0.036 N m per radian.
+//! Two jaws with the stiffnesses k_n = 1 kN/m and k_t = 20 N/m at a = ±30 mm press with P = 0.55 N. In the linear theory they turn by
+//! θ = M / (2 k_t a²) under a moment M, by 0.825 rad at 29.7 mN m, where friction of 0.9 · 0.55 N is exhausted. With finite rotations they turn by
+//! 0.1 rad at `M = 2 a sin θ (a k_t cos θ + a k_n (1 - cos θ) - P)`, which is 1.1793 mN m. If they press with 10 N each, these forces drive a turn
+//! with 0.6 N m per radian. The springs resist it with only 2 k_t a² = 0.036 N m per radian.
 
 use serde_json::{Value, json};
 
@@ -31,10 +32,11 @@ fn every_command_says_so() {
         let says = ["by more than 5.7°", "results for small motions no longer apply"];
         assert!(says.iter().all(|says| words.contains(says)), "{arguments:?}: {words}");
     }
-    // The jaws turn by 0.825 rad before they slide. The force of 1 N at 0.3 m has the moment of 3.6 mN m at the fraction 0.012.
+    // The jaws turn by 0.825 rad before they slide. The force of 1 N at 0.3 m has the moment of 1.1793 mN m, with an arm of 0.3 m cos θ, at the
+    // fraction 0.00395073.
     assert!(told(&["onset", "--moment", "1"]).contains("turns 47.269° anticlockwise about (0, 0) m"));
-    assert!(told(&["follow", "--to", "0,1", "--at", "0.3,0"]).contains("leg 0 at 0.012: CAUTION"));
-    for near in [&["solve", "--moment", "0.0035"][..], &["follow", "--to", "0,0.01", "--at", "0.3,0"]] {
+    assert!(told(&["follow", "--to", "0,1", "--at", "0.3,0"]).contains("leg 0 at 0.00395073: CAUTION"));
+    for near in [&["solve", "--moment", "0.00117"][..], &["follow", "--to", "0,0.0039", "--at", "0.3,0"]] {
         let words = told(near);
         assert!(!words.contains("small motions"), "{words}");
     }
@@ -47,7 +49,7 @@ fn answers_in_brief_say_so() {
     let mut scene: Value = serde_json::from_str(&scene.expect("is there")).expect("JSON");
     let load = |moment: f64| json!({ "load": { "moment": moment } });
     scene["planar"]["questions"] = json!([{ "onset": { "direction": { "moment": 1 } } }, { "solve": load(0.004) }, { "hold": load(0.6) },
-        { "follow": { "legs": [{ "load_to": { "moment": 0.3 } }] } }, { "solve": load(0.0035) }, { "hold": load(0.0035) }]);
+        { "follow": { "legs": [{ "load_to": { "moment": 0.3 } }] } }, { "solve": load(0.00117) }, { "hold": load(0.00117) }]);
     for (pressed_with, is_far) in [(0.55, [true, true, true, true, false, false]), (10.0, [true; 6])] {
         for contact in scene["planar"]["contacts"].as_array_mut().expect("a list") {
             contact["pressed_with"] = json!(pressed_with);
