@@ -78,4 +78,4 @@ pub use too_far::TooFar;
 pub(crate) use too_far::{AIR_FLOWS_IN, CountedMotion, MotionData, farthest};
 pub(crate) use write_out::site_states;
 
-pub(crate) use tolerances::{ACCURATE, LEAST_PART_OF_A_LIMIT, WORK_OF_ARMS};
+pub(crate) use tolerances::{ACCURATE, WORK_OF_ARMS};

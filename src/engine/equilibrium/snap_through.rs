@@ -12,8 +12,8 @@ use nalgebra::SVector;
 use super::answer::Equilibrium;
 use super::left_out::{LEAST_FRACTION, positive_factors, sticking_springs};
 use super::tolerances::{
-    FARTHEST_MOTION, FIRST_SHARE, LAST_NEWTON_STEP, LEAST_PART_OF_A_LIMIT, LEAST_SHARE, MOST_SHARES,
-    NEWTON_STEPS_OF_A_SHARE, WORK_OF_ARMS,
+    FARTHEST_MOTION, FIRST_SHARE, LAST_NEWTON_STEP, LEAST_SHARE, MOST_SHARES, NEWTON_STEPS_OF_A_SHARE,
+    WORK_OF_ARMS,
 };
 use super::too_far::{CountedMotion, MotionData, TooFar, farthest};
 use super::turning_parts::{TurningParts, carried_load};
@@ -93,10 +93,6 @@ impl Engine {
             let motions = self.counted_motions(small, &MotionData { twist, ..*standing });
             farthest(&motions).map_or(0.0, CountedMotion::over_the_limit)
         };
-        let linear = over_the_limit(standing.twist);
-        if linear < LEAST_PART_OF_A_LIMIT {
-            return false;
-        }
         let forces = indexed(self.contacts(), &|(i, _)| self.sites()[i].frame * standing.forces[i]);
         let (elastic, geometric) = self.stiffnesses(&forces, &|i| standing.states[i].is_open(), load);
         let mut grown = &elastic * standing.twist;
@@ -105,7 +101,7 @@ impl Engine {
         factors.solve(grown.as_mut_slice());
         // The change of arms may enlarge the motion further, so that it is asked a little below the limit, too.
         let (grown, more) = (over_the_limit(&grown), 1.0 + LEAST_FRACTION);
-        grown > more * linear && more * grown > 1.0
+        more * grown > 1.0 && grown > more * over_the_limit(standing.twist)
     }
 
     /// Whether the change of arms can make some contact do more than the fraction [`WORK_OF_ARMS`] of the elastic work of all contacts: the arm r of a

@@ -11,12 +11,6 @@ pub(crate) const ACCURATE: f64 = 1e-10;
 /// beside much softer ones would be missed; if smaller, ordinary grasps would take longer.
 pub(crate) const WORK_OF_ARMS: f64 = 0.01;
 
-/// A motion of less than this part of its limit is not followed to finite rotations because of forces that turn with the parts. To reach the limit it
-/// would have to be within a tenth of buckling.
-///
-/// If smaller, ordinary equilibria take longer; if larger, loads just below buckling seem to cause only small motions.
-pub(crate) const LEAST_PART_OF_A_LIMIT: f64 = 0.1;
-
 /// The first step of the share of exact rotations. If larger, first steps often fail; if smaller, there are more steps than needed.
 pub(super) const FIRST_SHARE: f64 = 0.25;
 

@@ -18,9 +18,8 @@ use super::screened::Screened;
 use super::springs::Cause;
 use super::tolerances::ON_THE_EDGE;
 use crate::contact::ZERO_SLACK;
-use crate::equilibrium::{LEAST_PART_OF_A_LIMIT, WORK_OF_ARMS};
+use crate::equilibrium::WORK_OF_ARMS;
 use crate::numerics::Vectors;
-use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::prelude::*;
 
 /// The question for the load factor of first slip, and the rotation, of each grasp of a batch under its own load; `pulls` has one load for each
@@ -57,8 +56,7 @@ impl WhileSticking {
         let (turn, taken) = (self.turn * times, self.taken * times);
         // Forces that turn with the object enlarge its rotation by the factor 1/(1 - taken), as the springs measure rotations. The factor one half is
         // for springs that resist some rotations more than others.
-        let stays =
-            turn <= LEAST_PART_OF_A_LIMIT * limit * (1.0 - NEGLIGIBLE) || turn <= 0.5 * limit * (1.0 - taken);
+        let stays = turn <= 0.5 * limit * (1.0 - taken);
         stays && taken <= SURELY && turn * self.leverage <= WORK_OF_ARMS
     }
 }
