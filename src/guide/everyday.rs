@@ -73,10 +73,10 @@
 //!
 //! ```text
 //! $ grasp-lcp need mug.json squeeze --mass 0.4 --at 0.006,0,-0.02
-//! NEEDS 3.49238 N at thumb, 2.01636 N at index and 2.01636 N at middle at rest (0.349228 times the squeeze given), at most 5.96782 times the squeeze given, so that it holds and nothing slides
+//! NEEDS 3.49238 N at thumb, 2.01636 N at index and 2.01636 N at middle at rest (0.349228 times the squeeze given), at most 5.89541 times the squeeze given, so that it holds and nothing slides
 //!   if friction is 10 % less and the squeeze is 5 % less: 1.16959 times as much
 //!   with less: TURNS OUT at 3.924 N of 3.924 N: the object turns about thumb, index and middle slide
-//!   with more than 59.68 N at thumb, 34.4568 N at index and 34.4568 N at middle (5.96782 times the squeeze given): BUCKLES at rest already: as the forces turn with the parts they act on, they take all that resists
+//!   with more than 59.68 N at thumb, 34.4568 N at index and 34.4568 N at middle (5.89541 times the squeeze given): BUCKLES at rest already: as the forces turn with the parts they act on, they take all that resists
 //!   tried were 12 amounts from 0.03 to 10 times the squeeze given
 //! ```
 //!

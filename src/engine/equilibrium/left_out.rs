@@ -277,7 +277,7 @@ const MOST_COORDINATES: usize = 120;
 /// Largest fraction of the resistance to a motion of which answers say nothing if small motions leave it out.
 ///
 /// A smaller value would add a caution to ordinary verdicts; a larger value would hide a loss of stability until it is near.
-pub(super) const LEAST_FRACTION: f64 = 0.1;
+pub(crate) const LEAST_FRACTION: f64 = 0.1;
 
 /// The least size of the fraction that [`Engine::taken_by_forces`] returns. A smaller value would add a caution to ordinary squeezes of soft fingers;
 /// a larger value would leave too little reserve before the grasp buckles.

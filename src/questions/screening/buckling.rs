@@ -7,9 +7,10 @@
 //! not buckle while all eigenvalues of J⁻¹ M are above -1. The trace `tr (J⁻¹ M)²` is the sum of their squares, so all are above -1 if the trace is
 //! below 1.
 //!
-//! The arms of forces hardly change while the rotation θ is small. Let F be the largest elastic force, ρ the largest arm and k the stiffness of the
-//! stiffest spring. The elastic work exceeds F²/k and θ²/tr J⁻¹, and with them the mean `|F| θ / √(k tr J⁻¹)`. A change of arms, at most `½ θ² 2ρ`, thus
-//! does at most the part `θ ρ √(k tr J⁻¹)` of the elastic work.
+//! The geometric stiffness enlarges a rotation θ by at most `√(tr J⁻¹ · Mθ·J⁻¹Mθ) / (1 - t)`, with the square root t of that trace.
+//!
+//! Beyond the first order the arm r of a force changes by at most `½ |θ|² |r|`. The force that the displacement u of contact i stretches its springs
+//! by, `K_i u_i`, does at most the work `½ |θ|² |r_i| |K_i u_i|` on it; all springs together do the elastic work `Σ u·K u`.
 
 use super::block::{Block, count, entries};
 use super::factors::LaneFactors;
@@ -23,8 +24,20 @@ pub(super) struct RotationalStiffness<const C: usize, X: Packed> {
     /// The centroid of the contacts, weighted with their stiffnesses, m.
     centre: [X; C],
     factors: LaneFactors<3, X>,
-    /// The number `ρ √(k tr J⁻¹)` of the head of this file.
-    pub(super) leverage: X,
+    /// The trace of J⁻¹, rad/(N m).
+    compliance: X,
+}
+
+/// Upper bounds of what the geometric stiffness and the change of arms do to an equilibrium in which every contact sticks. NaN if some rotation is not
+/// resisted, and if no contact carries a force, so that the object lies loose.
+#[derive(Clone, Copy)]
+pub(super) struct RotationBounds<X: Packed> {
+    /// The fraction of the stiffness against rotation that contact forces and load take away, or add, in any rotation.
+    pub(super) taken: X,
+    /// The growth of the rotation by the geometric stiffness, rad, times `1 - taken`.
+    pub(super) drift: X,
+    /// The work that a contact does along the change of its arm, as a part of the elastic work.
+    pub(super) arms: X,
 }
 
 /// A load with its points of action.
@@ -37,11 +50,11 @@ pub(super) struct LoadAtPoints<const C: usize, X: Packed> {
 }
 
 impl<const C: usize, X: Packed> RotationalStiffness<C, X> {
-    /// The lower bound J for the contacts of a block. The block stores compliances for [`Method::Edges`], stiffnesses for [`Method::Motions`].
+    /// The lower bound J for the contacts of a block.
     #[inline(never)]
     pub(super) fn of<V: Vectors>(v: V, block: &Block<'_, C, X>, method: Method) -> Self {
         let zero = X::all(0.0);
-        let mut stiffness = Self { centre: [zero; C], factors: LaneFactors::none(), leverage: zero };
+        let mut stiffness = Self { centre: [zero; C], factors: LaneFactors::none(), compliance: zero };
         v.run(
             #[inline(always)]
             || stiffness.compute(block, method),
@@ -51,16 +64,10 @@ impl<const C: usize, X: Packed> RotationalStiffness<C, X> {
 
     #[inline(always)]
     fn compute(&mut self, block: &Block<'_, C, X>, method: Method) {
-        // The least and the largest stiffness of a contact.
-        let bounds = |i: usize| {
-            let [normal, tangential] = entries(&block.springs(), i);
-            let (least, largest) = (normal.min(tangential), normal.max(tangential));
-            match method {
-                Method::Edges => [X::all(1.0) / largest, X::all(1.0) / least],
-                Method::Motions => [least, largest],
-            }
+        let least = |i: usize| {
+            let [normal, tangential] = stiffnesses(block, method, i);
+            normal.min(tangential)
         };
-        let least = |i: usize| bounds(i)[0];
         let mut stiffness = X::all(0.0);
         for i in 0..count(block.contacts) {
             let (k, point) = (least(i), entries(&block.points(), i));
@@ -72,11 +79,8 @@ impl<const C: usize, X: Packed> RotationalStiffness<C, X> {
         for axis in 0..C {
             self.centre[axis] = self.centre[axis] / stiffness;
         }
-        let [mut stiffest, mut farthest, mut compliance] = [X::all(0.0); 3];
         for i in 0..count(block.contacts) {
             let arm = self.arm(block, i);
-            stiffest = stiffest.max(bounds(i)[1]);
-            farthest = farthest.max(dot(&arm, &arm));
             let mut pull = arm;
             for axis in 0..C {
                 pull[axis] = least(i) * arm[axis];
@@ -87,9 +91,8 @@ impl<const C: usize, X: Packed> RotationalStiffness<C, X> {
         for k in 0..rotations(C) {
             let mut unit = [X::all(0.0); 3];
             unit[k] = X::all(1.0);
-            compliance += self.factors.solve(rotations(C), &unit)[k];
+            self.compliance += self.factors.solve(rotations(C), &unit)[k];
         }
-        self.leverage = (farthest * stiffest * compliance).sqrt();
     }
 
     #[inline(always)]
@@ -101,27 +104,34 @@ impl<const C: usize, X: Packed> RotationalStiffness<C, X> {
         arm
     }
 
-    /// The square root of `tr (J⁻¹ M)²`, with the matrices J and M at the top of the file. It is no smaller than the fraction of the stiffness
-    /// against rotation that these contact forces and this load take away, or add, in any rotation. NaN if some rotation is not resisted, and if no
-    /// contact carries a force, so that the object lies loose.
+    /// The bounds for these contact forces and this load, which turn the object by `turn`, rad.
     #[inline(never)]
-    pub(super) fn taken<V: Vectors>(
+    pub(super) fn bounds<V: Vectors>(
         &self,
         v: V,
-        block: &Block<'_, C, X>,
-        forces: &[Force<C, X>],
-        load: &LoadAtPoints<C, X>,
-    ) -> X {
-        let mut taken = X::all(f64::NAN);
+        (block, method): (&Block<'_, C, X>, Method),
+        (forces, load): (&[Force<C, X>], &LoadAtPoints<C, X>),
+        turn: &[X; 3],
+    ) -> RotationBounds<X> {
+        let mut bounds = RotationBounds { taken: X::all(0.0), drift: X::all(0.0), arms: X::all(0.0) };
         v.run(
             #[inline(always)]
-            || taken = self.part_taken(block, forces, load),
+            || {
+                [bounds.taken, bounds.drift] = self.of_geometric_stiffness(block, (forces, load), turn);
+                bounds.arms = self.work_of_arms((block, method), forces, turn);
+            },
         );
-        taken
+        bounds
     }
 
+    /// The bound `√tr (J⁻¹ M)²` of the fraction taken, and the drift `√(tr J⁻¹ · Mθ·J⁻¹Mθ)`.
     #[inline(always)]
-    fn part_taken(&self, block: &Block<'_, C, X>, forces: &[Force<C, X>], load: &LoadAtPoints<C, X>) -> X {
+    fn of_geometric_stiffness(
+        &self,
+        block: &Block<'_, C, X>,
+        (forces, load): (&[Force<C, X>], &LoadAtPoints<C, X>),
+        turn: &[X; 3],
+    ) -> [X; 2] {
         let (zero, nan) = (X::all(0.0), X::all(f64::NAN));
         let mut geometric = [[zero; 3]; 3];
         let mut squares = zero;
@@ -140,13 +150,16 @@ impl<const C: usize, X: Packed> RotationalStiffness<C, X> {
         let rows = rotations(C);
         // Columns of J⁻¹ M. Only entries of M on and below the diagonal are stored.
         let mut columns = [[zero; 3]; 3];
+        let mut turned = [zero; 3];
         for k in 0..rows {
             let mut column = [zero; 3];
             for row in 0..rows {
                 column[row] = if row < k { geometric[k][row] } else { geometric[row][k] };
+                turned[row] += column[row] * turn[k];
             }
             columns[k] = self.factors.solve(rows, &column);
         }
+        let drift = dot(&turned, &self.factors.solve(rows, &turned));
         let mut trace = zero;
         for a in 0..rows {
             for b in 0..rows {
@@ -154,7 +167,46 @@ impl<const C: usize, X: Packed> RotationalStiffness<C, X> {
             }
         }
         let taken = squares.above(zero, trace.abs().sqrt(), nan);
-        self.factors.free.above(zero, nan, taken)
+        [self.factors.free.above(zero, nan, taken), (self.compliance * drift).abs().sqrt()]
+    }
+
+    /// The largest work of a contact along the change of its arm, as a part of the elastic work; zero without elastic work.
+    #[inline(always)]
+    fn work_of_arms(
+        &self,
+        (block, method): (&Block<'_, C, X>, Method),
+        forces: &[Force<C, X>],
+        turn: &[X; 3],
+    ) -> X {
+        let commands = block.commands();
+        let [mut elastic, mut strongest, mut farthest, zero] = [X::all(0.0); 4];
+        for (i, force) in forces.iter().enumerate().take(count(block.contacts)) {
+            let [normal, tangential] = stiffnesses(block, method, i);
+            let along = commands.pressed[i] - force.normal / normal;
+            let mut squares = zero;
+            for axis in 0..C {
+                let across = commands.sheared[axis][i] - force.tangential[axis] / tangential;
+                squares += across * across;
+            }
+            let (along, across) = (normal * along * along, tangential * squares);
+            elastic += along + across;
+            let arm = self.arm(block, i);
+            strongest = strongest.max(normal * along + tangential * across);
+            farthest = farthest.max(dot(&arm, &arm));
+        }
+        // Arms are about the centroid of the contacts. They are at most twice the largest distance of a contact from `centre`.
+        let part = dot(turn, turn) * (strongest * farthest).sqrt() / elastic;
+        elastic.above(zero, part, zero)
+    }
+}
+
+/// The normal and the tangential stiffness of a contact, N/m. A block stores compliances for [`Method::Edges`], stiffnesses for [`Method::Motions`].
+#[inline(always)]
+fn stiffnesses<const C: usize, X: Packed>(block: &Block<'_, C, X>, method: Method, i: usize) -> [X; 2] {
+    let [normal, tangential] = entries(&block.springs(), i);
+    match method {
+        Method::Edges => [X::all(1.0) / normal, X::all(1.0) / tangential],
+        Method::Motions => [normal, tangential],
     }
 }
 

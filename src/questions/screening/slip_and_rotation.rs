@@ -18,8 +18,9 @@ use super::screened::Screened;
 use super::springs::Cause;
 use super::tolerances::ON_THE_EDGE;
 use crate::contact::ZERO_SLACK;
-use crate::equilibrium::WORK_OF_ARMS;
+use crate::equilibrium::{LEAST_FRACTION, WORK_OF_ARMS};
 use crate::numerics::Vectors;
+use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::prelude::*;
 
 /// The question for the load factor of first slip, and the rotation, of each grasp of a batch under its own load; `pulls` has one load for each
@@ -41,8 +42,10 @@ pub(crate) struct WhileSticking {
     /// upper bound of the fraction that they take away. If the bound is below 1, the grasp does not buckle. The bound holds under the base load and
     /// under the whole load. NaN if it is not known, if no contact carries a force, or if no rotation was computed.
     pub(crate) taken: f64,
-    /// An upper bound of the work that a change of arms does, as a part of the elastic work and per radian of `turn`. NaN as for `taken`.
-    pub(crate) leverage: f64,
+    /// An upper bound of the growth of the rotation by that loss of stiffness, rad, times `1 - taken`.
+    pub(crate) drift: f64,
+    /// An upper bound of the work that a contact does along the change of its arm, as a part of the elastic work.
+    pub(crate) arms: f64,
 }
 
 /// A grasp surely does not buckle if forces take away at most this fraction of its stiffness against rotation. At the fraction 1 it may buckle; the
@@ -54,10 +57,10 @@ impl WhileSticking {
     /// change of load and commands that multiplies rotation and forces by at most `times`.
     pub(crate) fn is_small(&self, limit: f64, times: f64) -> bool {
         let (turn, taken) = (self.turn * times, self.taken * times);
-        // Forces that turn with the object enlarge its rotation by the factor 1/(1 - taken), as the springs measure rotations. The factor one half is
-        // for springs that resist some rotations more than others.
-        let stays = turn <= 0.5 * limit * (1.0 - taken);
-        stays && taken <= SURELY && turn * self.leverage <= WORK_OF_ARMS
+        let (grown, more) = (turn + self.drift * times * times / (1.0 - taken), 1.0 + LEAST_FRACTION);
+        let within = limit * (1.0 - NEGLIGIBLE);
+        let stays = turn <= within && (more * grown <= within || grown <= more * turn * (1.0 - NEGLIGIBLE));
+        stays && taken <= SURELY && self.arms * times <= WORK_OF_ARMS
     }
 }
 
@@ -114,7 +117,8 @@ impl<const C: usize> ScreeningQuestion<C> for SlipAndRotation<C> {
         first: Screened(SlipCode::UNKNOWN),
         turn: f64::NAN,
         taken: f64::NAN,
-        leverage: f64::NAN,
+        drift: f64::NAN,
+        arms: f64::NAN,
     };
 
     #[inline(always)]
@@ -134,40 +138,47 @@ impl<const C: usize> ScreeningQuestion<C> for SlipAndRotation<C> {
         prepared.under_lanes(&at_rest, base);
         base.add_to(prepared.block.contacts, prepared.squeezed, ON_THE_EDGE / ZERO_SLACK);
         let first = judge(prepared.vectors, &prepared.block, base, rates);
-        let [mut turn, mut taken, mut leverage] = [X::all(f64::NAN); 3];
+        let [mut turn, mut taken, mut drift, mut arms] = [X::all(f64::NAN); 4];
         if self.turns {
             let (v, block) = (prepared.vectors, &prepared.block);
-            let stiffness = RotationalStiffness::of(v, block, prepared.ready.method());
+            let method = prepared.ready.method();
+            let stiffness = RotationalStiffness::of(v, block, method);
             let start = prepared.turned(&at_rest, base);
-            let taken_at_rest = stiffness.taken(v, block, &base.of, &self.at_points(prepared.first, 0.0));
+            let load = self.at_points(prepared.first, 0.0);
+            let rest = stiffness.bounds(v, (block, method), (&base.of, &load), &start);
             base.add_to(prepared.block.contacts, rates, 1.0);
             for k in 0..Layout::<C>::COORDINATES {
                 more[k] += at_rest[k];
             }
-            // `max` ignores NaN. Adding zero times `start` makes the result NaN if `start` is NaN.
-            turn = start.max(prepared.turned(&more, base)) + zero * start;
-            let taken_there = stiffness.taken(v, block, &base.of, &self.at_points(prepared.first, 1.0));
-            taken = taken_at_rest.max(taken_there) + zero * taken_at_rest;
-            leverage = stiffness.leverage;
+            let end = prepared.turned(&more, base);
+            let load = self.at_points(prepared.first, 1.0);
+            let there = stiffness.bounds(v, (block, method), (&base.of, &load), &end);
+            // `max` ignores NaN. Adding zero times the first number makes the result NaN if that is NaN.
+            let larger = |one: X, other: X| one.max(other) + X::all(0.0) * one;
+            turn = larger(dot(&start, &start).sqrt(), dot(&end, &end).sqrt());
+            taken = larger(rest.taken, there.taken);
+            drift = larger(rest.drift, there.drift);
+            arms = larger(rest.arms, there.arms);
         }
         let first = first.as_ref();
         slots.each(X::each(|lane| WhileSticking {
             first: first[lane],
             turn: turn.lane(lane),
             taken: taken.lane(lane),
-            leverage: leverage.lane(lane),
+            drift: drift.lane(lane),
+            arms: arms.lane(lane),
         }));
     }
 }
 
 impl<V: Vectors, const C: usize, X: Packed> PreparedBlock<'_, V, C, X> {
-    /// The magnitude of the object's rotation under the commands and a load, rad, given the contact forces of both together. NaN if the position of
-    /// the object is not determined.
+    /// The object's rotation under the commands and a load, rad, given the contact forces of both together. NaN if the position of the object is not
+    /// determined.
     #[inline(always)]
-    fn turned(&self, load: &[X; 6], forces: &AnyForces<C, X>) -> X {
+    fn turned(&self, load: &[X; 6], forces: &AnyForces<C, X>) -> [X; 3] {
         let mut moved = ObjectMotion::none();
         let cause = Cause { commands: self.block.commands(), load: *load };
         self.ready.turned(self.vectors, &self.block, &cause, forces, &mut moved);
-        dot(&moved.turn, &moved.turn).sqrt()
+        moved.turn
     }
 }
