@@ -3,6 +3,7 @@
 mod buckling;
 mod buckling_fingers;
 mod everyday;
+mod hangs_on_hinges;
 mod kinetic;
 mod kinetic_described_anew;
 mod leaks;

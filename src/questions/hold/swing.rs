@@ -45,9 +45,12 @@ impl Engine {
         let mut sway = Vector::zeros();
         for (stiffness, motion) in self.free_stiffness(free, &forces, load)? {
             let drive = motion.dot(&whole);
+            if drive.abs() <= NEGLIGIBLE * whole.norm() && stiffness >= 0.0 {
+                continue;
+            }
             if stiffness > 0.0 {
                 sway += motion * (drive / stiffness);
-            } else if stiffness < 0.0 || drive.abs() > NEGLIGIBLE * whole.norm() {
+            } else {
                 return None;
             }
         }

@@ -72,7 +72,7 @@ pub struct BodyMotion<const C: usize> {
     /// Centroid of the body's contact points, m.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<SVector<f64, C>>"))]
     pub centre: SVector<f64, C>,
-    /// Root mean square distance of the body's contact points from their centroid, m.
+    /// Root mean square distance of the body's contact points from their centroid, m; one metre if all of them lie at the same point.
     #[cfg_attr(feature = "serde", serde(with = "AsComputed::<f64>"))]
     pub reach: f64,
 }

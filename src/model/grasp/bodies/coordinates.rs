@@ -159,7 +159,7 @@ impl Engine {
                 body: bodies.names[body].clone(),
                 twist,
                 centre: place.centre,
-                reach: place.rms_radius,
+                reach: if place.rms_radius > 0.0 { place.rms_radius } else { 1.0 },
             }
         };
         indexed(&bodies.places, &of)
