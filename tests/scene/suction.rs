@@ -95,3 +95,19 @@ fn what_is_no_cup_is_told() {
     let told = serde_json::from_str::<Scene>(planar).expect_err("no ring").to_string();
     assert!(told.contains("number of axes") && told.contains("is 3, must"), "{told}");
 }
+
+/// A cup of 60 N holds a body of 19.62 N. A force of 10 N to the side slides it at μ = 0.5 with less than 39.62 N of vacuum, the number to enter, not
+/// with the 20 N by which the lip presses then.
+#[test]
+fn the_vacuum_that_is_needed_under_gravity() {
+    let scene: Scene = serde_json::from_str(
+        r#"{ "format": "grasp-lcp/1", "spatial": {
+            "bodies": [{ "name": "plate", "mass": 2, "centre_of_mass": [0, 0, -0.01] }], "gravity": [0, 0, -9.81],
+            "contacts": [{ "name": "cup", "on": "plate", "point": [0, 0, 0], "normal": [0, 0, -1], "stiffness": 1e5, "friction": 0.5, "suction": { "radius": 0.02, "force": 60 } }],
+            "questions": [{ "need": { "quantity": "squeeze", "load": { "force": [10, 0, 0] } } }] } }"#,
+    )
+    .expect("a scene");
+    let Some(answers) = scene.answers().expect("answers").spatial() else { panic!("in space") };
+    let Answer::Need(needed) = &answers[0] else { panic!("{answers:?}") };
+    assert!(needed.needed.to_string().contains(" kPa (39.62 N) at cup"), "{}", needed.needed);
+}

@@ -27,8 +27,9 @@ pub struct ContactPress {
     /// For a suction cup: how far the pressure in the cup is below the pressure of the surrounding air, Pa. `None` for other contacts.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub pressure: Option<f64>,
-    /// The force that the user sets at the contact for this squeeze, N: the contact's field `pressed_with` or `force`. The normal force at rest
-    /// differs from it if the object gives way. `None` for suction cups, links, and contacts with a command across their normal.
+    /// The force that the user sets at the contact for this squeeze, N: the contact's field `pressed_with` or `force`, or the `force` of a suction
+    /// cup's vacuum. The normal force at rest differs from it if the object gives way, or if a load acts at rest. `None` for links, and for contacts
+    /// with a command across their normal.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub pressed_with: Option<f64>,
     /// For a contact that presses because it overlaps: the overlap, m, i.e. its negative clearance without the sign. `None` unless overlaps are the
@@ -37,14 +38,15 @@ pub struct ContactPress {
     pub overlap: Option<f64>,
 }
 
-/// The normal force that the user sets at these points of one contact, N, summed over the points. `None` for links, for contacts with a vacuum or a
-/// tangential command, and if no force is set.
+/// The normal force that the user sets at these points of one contact, N, summed over the points; for a suction cup in space the force of its vacuum.
+/// `None` for links, for contacts with a tangential command, and if no force is set.
 pub(super) fn force_set(points: &[Contact<3>]) -> Option<f64> {
+    let vacuum: f64 = summed(points, &|point| point.suction);
+    if vacuum > 0.0 {
+        return pressure_of_cup(points).map(|_| vacuum);
+    }
     let of_point = |point: &Contact<3>| {
-        let is_plain = point.link.is_none()
-            && point.suction == 0.0
-            && point.command[1] == 0.0
-            && point.command[2] == 0.0;
+        let is_plain = point.link.is_none() && point.command[1] == 0.0 && point.command[2] == 0.0;
         let pressed = point.stiffness.series()[0] * (point.command[0] - point.clearance);
         Some(point.force.unwrap_or(pressed)).filter(|force| is_plain && *force > 0.0)
     };
@@ -66,9 +68,10 @@ pub(crate) fn pressure_of_cup(points: &[Contact<3>]) -> Option<f64> {
 }
 
 impl ContactPress {
-    /// The force of the contact as text: "16.7 N"; of a suction cup "13.3 kPa (16.7 N)", of an overlap "0.025 mm of overlap (250 N)".
+    /// The force of the contact as text: "16.7 N"; of a suction cup the vacuum, "13.3 kPa (16.7 N)", of an overlap "0.025 mm of overlap (250 N)".
     fn in_words(&self, words: Words) -> String {
-        let newtons = words.number(self.force);
+        let newtons =
+            words.number(self.pressed_with.filter(|_| self.pressure.is_some()).unwrap_or(self.force));
         match (self.pressure, self.overlap) {
             (Some(pressure), _) if pressure > ATMOSPHERE => format!(
                 "{} kPa ({newtons} N; more than an atmosphere: no vacuum does)",
@@ -168,11 +171,17 @@ pub(super) fn in_words(words: Words, presses: &[ContactPress], times: String) ->
 /// with commands of their own.
 fn with_what_is_set(words: Words, presses: &[ContactPress], times: String) -> String {
     let set: Vec<&ContactPress> = presses.iter().filter(|press| press.is_set).list();
-    match set.first().and_then(|first| first.pressed_with) {
-        Some(force) if is_alike(&set, &|press| press.pressed_with) && set.len() <= MOST_NAMES => {
-            let names: Vec<_> = mapped(&set, &|press| press.part.text());
-            format!("{times} (`pressed_with` {} N at {})", words.number(force), listed(&names))
-        }
-        _ => times,
+    let Some((first, force)) = set.first().and_then(|first| Some((first, first.pressed_with?))) else {
+        return times;
+    };
+    if !is_alike(&set, &|press| press.pressed_with) || set.len() > MOST_NAMES {
+        return times;
     }
+    let names: Vec<_> = mapped(&set, &|press| press.part.text());
+    let number = if first.pressure.is_some() {
+        first.in_words(words)
+    } else {
+        format!("`pressed_with` {} N", words.number(force))
+    };
+    format!("{times} ({number} at {})", listed(&names))
 }
