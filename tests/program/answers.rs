@@ -179,17 +179,18 @@ fn what_is_typed_otherwise_means_the_same() {
     same(&["box", "hold", "--mass", "0.5"], &["hold", "box", "--mass", "0.5"]);
     same(&["identify", "slips", "box"], &["identify", "box", "slips"]);
     same(&["hold", "box"], &["hold", "box", "--force", "0,0"]);
+    // Without a load, the load of the scene's question `solve` is taken, which acts at (0, -0.01), also beside other forces.
     same(
-        &["need", "box", "squeeze", "--base", "0,-5"],
-        &["need", "box", "squeeze", "--base", "0,-5", "--force", "0,0"],
+        &["need", "box", "squeeze", "--base", "0,-5", "--at", "0,-0.01"],
+        &["need", "box", "squeeze", "--base", "0,-5", "--at", "0,-0.01", "--force", "0,-4.905"],
     );
     same(
         &["hold", "box", "--mass", "0.5", "--acceleration", "0,9.81"],
         &["hold", "box", "--mass", "0.5", "--safety", "2"],
     );
     same(
-        &["need", "box", "squeeze", "--any-force", "4.9", "--at", "0,0.02"],
-        &["need", "box", "squeeze", "--any-force", "4.9", "--at", "0,0.02", "--force", "0,0"],
+        &["need", "box", "squeeze", "--any-force", "4.9", "--at", "0,-0.01"],
+        &["need", "box", "squeeze", "--any-force", "4.9", "--at", "0,-0.01", "--force", "0,-4.905"],
     );
 }
 

@@ -100,3 +100,35 @@ fn a_point_beside_own_masses_is_refused() {
         assert!(said.contains("--at"), "{said}");
     }
 }
+
+/// Beside gravity that turns, a constant force acts at the centre of mass. A force of -1 N on the box of 10 N slides it where
+/// `1 + 10 sin θ = 4 cos θ`. An acceleration along with the tray is not such a force, and is refused.
+#[test]
+fn a_constant_force_beside_gravity_that_turns() {
+    let expected =
+        f64::to_degrees(f64::asin(4.0 / f64::hypot(10.0, 4.0)) - f64::asin(1.0 / f64::hypot(10.0, 4.0)));
+    for command in [&["turn", "-", "--base=-1,0"][..], &["need", "-", "angle", "--sticks", "--base=-1,0"]] {
+        let words = told(command);
+        assert!(words.contains(&format!("{expected:.4}°")), "{command:?} {expected}: {words}");
+    }
+    assert!(refused(&["need", "-", "angle", "--acceleration", "1,0"]).contains("`--base`"));
+}
+
+/// A crate of 98.1 N hangs below a rail, against which a rope pulls it with 150 N. Rail and rope take half of the weight's part along the normal each,
+/// so that the crate slides at `98.1 sin θ = 0.4 (51.9 + 49.05 (1 - cos θ))`.
+#[test]
+fn a_tension_under_gravity_that_turns() {
+    let scene = r#"{"format": "grasp-lcp/1", "planar": {"gravity": [0, -9.81],
+        "bodies": [{"name": "crate", "mass": 10, "centre_of_mass": [0, 0.2]}],
+        "contacts": [{"name": "rail", "on": "crate", "point": [0, 0.2], "normal": [0, -1], "stiffness": 1e6, "friction": 0.4, "soft": {"pair": {"width": 0.4}}}],
+        "links": [{"name": "rope", "cable": {"from": [0, 0.2], "to": [0, 0.6]}, "tension": 150, "stiffness": 1e6, "on": "crate"}]}}"#;
+    let slides = |angle: f64| 98.1 * angle.sin() - 0.4 * (51.9 + 49.05 * (1.0 - angle.cos()));
+    let (mut from, mut to) = (0.0, 1.0);
+    for _ in 0..60 {
+        let middle = 0.5 * (from + to);
+        if slides(middle) < 0.0 { from = middle } else { to = middle }
+    }
+    let output = run_on(scene.as_bytes(), &["need", "-", "angle", "--digits", "4"]);
+    let (words, angle) = (text(&output.stdout), from.to_degrees());
+    assert!(output.stderr.is_empty() && words.starts_with(&format!("TAKES {angle:.2}°")), "{angle}: {words}");
+}

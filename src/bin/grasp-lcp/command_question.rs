@@ -121,7 +121,7 @@ fn question_of(asked: &Command, setup: &mut Setup<3>) -> Result<Option<Question<
         }
         Command::Turn { mass, weight, at, base, axis, .. } => {
             refuse_mass(setup, *mass)?;
-            let own = if mass.is_none() && weight.is_none() { tilted(setup) } else { None };
+            let own = if mass.is_none() && weight.is_none() { tilted(setup)? } else { None };
             if own.is_some() && at.is_some() && base.is_none() {
                 let message = "--at: must be left out where the bodies turn by their own masses, each of which acts at its own centre";
                 return Err(Failure::Usage(message.to_owned()));
@@ -133,7 +133,9 @@ fn question_of(asked: &Command, setup: &mut Setup<3>) -> Result<Option<Question<
                 (None, None, _) => return Err(Failure::Usage("--mass is missing, or --weight".to_owned())),
             };
             let turn = words.turn(weight, centre.as_ref(), axis.as_ref())?;
-            Some(Question::OnsetOfTurn(turn.beside(words.base(base.as_ref(), at.as_ref())?)))
+            Some(Question::OnsetOfTurn(
+                turn.beside(words.base(base.as_ref(), at.as_ref().or(centre.as_ref()))?),
+            ))
         }
         Command::Follow { to, from, at, .. } => words.follow(to, from.as_ref(), at.as_ref())?,
         Command::Shake { shakes, .. } => words.shake(shakes, setup)?,

@@ -73,8 +73,18 @@ pub(crate) fn warn_at_once(path: &Path, scene: &Scene, given: Option<&Scene>) ->
     let mut warnings = scene.warnings_at_once().map_err(|error| refused(path, &error))?;
     let of_loads =
         |warning: &Warning| matches!(warning, Warning::ManyMetres { .. } | Warning::HeavyLoad { .. });
-    let given = given.into_iter().flat_map(|given| given.warnings_at_once().unwrap_or_default());
-    for warning in given.filter(of_loads) {
+    let before = given.map(|given| given.warnings_at_once().unwrap_or_default());
+    if let Some(before) = &before {
+        // Where gravity turns, the command line has put a pretension in the place of a given tension.
+        let link_of = |warning: &Warning| match warning {
+            Warning::PullsOtherwise { link, .. } => Some(*link),
+            _ => None,
+        };
+        warnings.retain(|warning| {
+            link_of(warning).is_none() || before.iter().any(|other| link_of(other) == link_of(warning))
+        });
+    }
+    for warning in before.into_iter().flatten().filter(of_loads) {
         if !warnings.contains(&warning) {
             warnings.push(warning);
         }

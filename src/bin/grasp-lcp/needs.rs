@@ -9,7 +9,7 @@ use crate::arguments::{LoadArguments, NeedArguments, Numbers, SoughtQuantity};
 use crate::failure::Failure;
 use crate::loads::OptionVectors;
 use crate::own_masses::{accelerated, of_own_masses, tilted};
-use crate::scene_loads::{SceneLoads, own_need};
+use crate::scene_loads::{SceneLoads, own_need, single_load};
 use grasp_lcp::scene::{Question, Setup};
 
 impl OptionVectors {
@@ -30,8 +30,8 @@ impl OptionVectors {
         refuse_others(need_arguments, sought)?;
         let own = own_need(setup, need_arguments, sought);
         let is_own = own.is_some();
-        let (mut need, weight) = match own {
-            Some(need) => (need, None),
+        let Sought { mut need, weight, centre } = match own {
+            Some(need) => Sought::of(need),
             None => self.sought(need_arguments, sought, setup)?,
         };
         if let Some(times) = need_arguments.safety {
@@ -44,7 +44,8 @@ impl OptionVectors {
             need = need.if_squeeze_lower_by(0.01 * percent);
         }
         if need_arguments.base.is_some() || weight.is_some() {
-            let base = self.base(need_arguments.base.as_ref(), need_arguments.load.at.as_ref())?;
+            let at = need_arguments.load.at.as_ref().or(centre.as_ref());
+            let base = self.base(need_arguments.base.as_ref(), at)?;
             need = need.on_top_of(base + weight.unwrap_or(Wrench::ZERO));
         }
         for (body, load) in self.together_with(&need_arguments.load)? {
@@ -59,15 +60,13 @@ impl OptionVectors {
         }))
     }
 
-    /// The question for the sought quantity, with its loads, and the constant load that acts in addition; this load is `None` if there is none. For
-    /// accelerations to and fro the constant load is the load of all other options, such as the weight of the mass. For loads of the scene it is the
-    /// base load of the scene's question.
+    /// The question for the sought quantity, with its loads.
     fn sought(
         self,
         need_arguments: &NeedArguments,
         sought: SoughtQuantity,
         setup: &mut Setup<3>,
-    ) -> Result<(Need, Option<Wrench>), Failure> {
+    ) -> Result<Sought, Failure> {
         let beside = need_arguments.base.is_some() || need_arguments.any_force.is_some();
         let to_and_fro = to_and_fro(need_arguments);
         let mut asked = need_arguments.load.clone();
@@ -76,7 +75,7 @@ impl OptionVectors {
         }
         let given = &*of_own_masses(&asked, beside, setup)?;
         let at = self.point(given.at.as_ref())?;
-        let load = self.wrench(given, beside)?;
+        let mut load = self.wrench(given, beside)?;
         let missing = || Failure::Usage("say for which load: --mass, --force or --moment".to_owned());
         let mut together_with = BTreeMap::new();
         let (loads, weight) = match (sought, to_and_fro) {
@@ -93,18 +92,20 @@ impl OptionVectors {
                 let placed = LoadArguments { at: Some(Numbers(at[..self.axes].to_vec())), ..given.clone() };
                 let load = self.wrench(&placed, beside)?;
                 let per_metre = Wrench::force_at(force, there) + Wrench::force_at(force, at) * -1.0;
-                return Ok((Need::arm(load.ok_or_else(missing)?, per_metre), None));
+                return Ok(Sought::of(Need::arm(load.ok_or_else(missing)?, per_metre)));
             }
             (SoughtQuantity::Angle, _) => {
-                let own = if load.is_none() { tilted(setup) } else { None };
+                if asked.acceleration.is_some() && asked.mass.is_none() {
+                    let message = "--acceleration: must be left out where an angle is sought of bodies with masses of their own; what an acceleration adds, constant in the grasp, is `--base`";
+                    return Err(Failure::Usage(message.to_owned()));
+                }
+                let own = if load.is_none() { tilted(setup)? } else { None };
                 let (weight, at) = match own {
                     Some(own) => (own.weight, Some(own.at)),
                     None => (self.total_force(given)?, given.at.clone()),
                 };
-                return Ok((
-                    Need::angle(self.turn(weight, at.as_ref(), need_arguments.axis.as_ref())?),
-                    None,
-                ));
+                let turn = self.turn(weight, at.as_ref(), need_arguments.axis.as_ref())?;
+                return Ok(Sought { centre: at, ..Sought::of(Need::angle(turn)) });
             }
             (_, Some(acceleration)) if given.mass.is_none() => {
                 let (mass, centre) = accelerated(setup, "acceleration")?;
@@ -118,18 +119,26 @@ impl OptionVectors {
                 let mass = need_arguments.load.mass.unwrap_or(0.0);
                 (self.to_and_fro(mass, acceleration, at)?.into(), load)
             }
-            (_, None) if load.is_none() && !beside => match SceneLoads::of(setup) {
+            (_, None) if load.is_none() => match SceneLoads::of(setup) {
                 Some(of_scene) => {
                     together_with = of_scene.together_with;
-                    (of_scene.loads, Some(of_scene.base))
+                    let loads = match need_arguments.any_force {
+                        Some(size) => {
+                            load = Some(single_load(&of_scene.loads)?);
+                            self.loads(load, Some(size), given.at.as_ref())?
+                        }
+                        None => of_scene.loads,
+                    };
+                    (loads, Some(of_scene.base))
                 }
+                None if sought == SoughtQuantity::Load && need_arguments.any_force.is_none() => {
+                    return Err(missing());
+                }
+                None if beside => (self.loads(load, need_arguments.any_force, given.at.as_ref())?, None),
                 // If neither the command line nor the scene's questions have a load, only constant loads of the scene act, such as weights of bodies.
                 // Without such constant loads an error follows below.
                 None => (Vec::new().into(), None),
             },
-            (SoughtQuantity::Load, None) if load.is_none() && need_arguments.any_force.is_none() => {
-                return Err(missing());
-            }
             (_, None) => (self.loads(load, need_arguments.any_force, given.at.as_ref())?, None),
         };
         let need = match (sought, &need_arguments.contact, &need_arguments.of) {
@@ -147,7 +156,24 @@ impl OptionVectors {
             let asked = weight.iter().fold(need.clone(), |need, base| need.on_top_of(*base));
             setup.check(&Question::Need(Box::new(asked))).map_err(|_| missing())?;
         }
-        Ok((need, weight.filter(|weight| *weight != Wrench::ZERO)))
+        let weight = weight.filter(|weight| *weight != Wrench::ZERO);
+        Ok(Sought { weight, ..Sought::of(need) })
+    }
+}
+
+/// A question for a sought quantity, from options of the command line.
+struct Sought {
+    need: Need,
+    /// The constant load that acts in addition; `None` if there is none. For accelerations to and fro it is the load of all other options, such as the
+    /// weight of the mass. For loads of the scene it is the base load of the scene's question.
+    weight: Option<Wrench>,
+    /// Where `--base` acts without `--at`, m; `None` for the origin.
+    centre: Option<Numbers>,
+}
+
+impl Sought {
+    fn of(need: Need) -> Self {
+        Self { need, weight: None, centre: None }
     }
 }
 

@@ -17,14 +17,13 @@ pub(crate) struct TurnedWeight {
 
 /// If the scene's gravity acts on bodies with masses, removes the gravity and returns the total weight of the bodies. The caller turns this weight as
 /// a load. `None` otherwise.
-pub(crate) fn tilted(setup: &mut Setup<3>) -> Option<TurnedWeight> {
-    let (mass, centre) = setup.own_mass()?;
-    let gravity = setup.gravity?;
-    *setup = setup.with_gravity_as_load();
-    Some(TurnedWeight {
+pub(crate) fn tilted(setup: &mut Setup<3>) -> Result<Option<TurnedWeight>, Failure> {
+    let Some(((mass, centre), gravity)) = setup.own_mass().zip(setup.gravity) else { return Ok(None) };
+    *setup = setup.with_gravity_as_load().map_err(|error| Failure::Usage(error.to_string()))?;
+    Ok(Some(TurnedWeight {
         weight: std::array::from_fn(|a| mass * gravity[a]),
         at: Numbers(centre[..setup.axes()].to_vec()),
-    })
+    }))
 }
 
 /// Makes every load act on all bodies in proportion to their masses. Returns the total mass, kg, and its centre, m; `option` is the option that an

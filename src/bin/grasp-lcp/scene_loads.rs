@@ -8,6 +8,7 @@ use grasp_lcp::squeeze::Loads;
 use grasp_lcp::words::Words;
 
 use crate::arguments::{NeedArguments, SoughtQuantity};
+use crate::failure::Failure;
 use grasp_lcp::scene::{Question, Setup};
 
 /// The loads of a scene's question: the constant load, the loads added to it, and loads on other bodies in proportion to the added loads.
@@ -67,6 +68,21 @@ fn in_words(words: Words, loads: &Loads<3>) -> String {
         Loads::Each(list) => list.iter().map(|load| words.load(load)).collect::<Vec<_>>().join("; "),
         Loads::AnyForce { size, .. } => format!("{size} N in any direction"),
         _ => "which turns".to_owned(),
+    }
+}
+
+/// The load beside which a force of any direction acts.
+///
+/// # Errors
+/// If there are several loads, or one that turns.
+pub(crate) fn single_load(loads: &Loads<3>) -> Result<Wrench<3>, Failure> {
+    match loads {
+        Loads::Each(list) if list.len() == 1 => Ok(list[0]),
+        Loads::AnyForce { base, .. } => Ok(*base),
+        _ => {
+            let message = "--any-force: the scene's questions have several loads or one that turns: say beside which the force acts, such as --force 0,-5";
+            Err(Failure::Usage(message.to_owned()))
+        }
     }
 }
 

@@ -11,6 +11,7 @@ use crate::ask::Grasp;
 use crate::error::Error;
 use crate::grasp::Wrench;
 use crate::load_path::Turn;
+use crate::need::Quantity;
 use crate::numerics::{Each, summed};
 
 impl Setup<3> {
@@ -59,9 +60,28 @@ impl Setup<3> {
     }
 
     /// This setup without gravity, for questions whose loads already contain the weight of the bodies. In the returned setup loads act on all bodies,
-    /// on each in proportion to its mass.
-    pub fn with_gravity_as_load(&self) -> Self {
-        Self { gravity: None, loaded: None, shared_by_mass: true, ..self.clone() }
+    /// on each in proportion to its mass. A link with a given tension, which it has under this weight, gets the pretension that leads to it.
+    ///
+    /// # Errors
+    /// As for [`Self::grasp`], if a link has a given tension.
+    pub fn with_gravity_as_load(&self) -> Result<Self, Error> {
+        let mut setup = Self { gravity: None, loaded: None, shared_by_mass: true, ..self.clone() };
+        if self.has_tensions() {
+            let grasp = self.grasp_checked()?;
+            let tense = grasp.contacts().iter().filter(|contact| contact.at_rest.is_some());
+            let links = setup.links.iter_mut().map(|link| &mut link.link);
+            for (link, contact) in links.filter(|link| link.tension.is_some()).zip(tense) {
+                let pretension = contact.command[0] * contact.stiffness.series()[0];
+                *link = link.clone().pretension(pretension.max(0.0));
+                link.slack -= contact.command[0].min(0.0);
+            }
+        }
+        Ok(setup)
+    }
+
+    /// Whether a link has a given tension.
+    fn has_tensions(&self) -> bool {
+        self.links.iter().any(|link| link.link.tension.is_some())
     }
 
     /// The question to ask of the grasp that [`Self::grasp_of`] returns. If the gravity of the scene turns in the question, the weight of the bodies
@@ -113,7 +133,17 @@ impl Setup<3> {
             Question::Need(asked) => asked.turn.as_ref(),
             _ => None,
         };
-        let tilts = turn.is_some_and(|turn| turn.tilts_bodies_about.is_some());
-        tilts.then(|| self.with_gravity_as_load().grasp_checked()).transpose()
+        if turn.is_none_or(|turn| turn.tilts_bodies_about.is_none()) {
+            return Ok(None);
+        }
+        if let Question::Need(asked) = question
+            && matches!(asked.quantity(), Quantity::Squeeze | Quantity::Force)
+            && self.has_tensions()
+        {
+            // Such an amount would be a tension without the weight.
+            let fault = "given, must be left out where the squeeze or a force is sought and a link has a `tension`: say its `pretension`";
+            return Err(Error::Question { question: "need", field: "turn", fault });
+        }
+        self.with_gravity_as_load()?.grasp_checked().map(Some)
     }
 }
