@@ -33,7 +33,7 @@ fn every_command_says_so() {
     }
     // The jaws turn by 0.825 rad before they slide. The force of 1 N at 0.3 m has the moment of 3.6 mN m at the fraction 0.012.
     assert!(told(&["onset", "--moment", "1"]).contains("turns 47.269° anticlockwise about (0, 0) m"));
-    assert!(told(&["follow", "--to", "0,1", "--at", "0.3,0"]).contains("leg 0 at 0.012: CAUTION"));
+    assert!(told(&["follow", "--to", "0,1", "--at", "0.3,0"]).contains("leg 1 at 0.012: CAUTION"));
     for near in [&["solve", "--moment", "0.0035"][..], &["follow", "--to", "0,0.01", "--at", "0.3,0"]] {
         let words = told(near);
         assert!(!words.contains("small motions"), "{words}");

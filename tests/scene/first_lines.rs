@@ -47,7 +47,7 @@ fn what_happens_at_the_end_of_a_path_or_without_slip() {
     let down = jaws(json!([{ "load_to": { "force": [0, -8] } }]));
     assert_eq!(down, "HELD to the end: left and right slide from there on");
     let along = jaws(json!([{ "load_to": { "force": [17, 0] } }, { "load_to": { "force": [0, 0] } }]));
-    let words = "no contact begins to slide on the way; left opens at 0.941176 of leg 0, (16, 0) N";
+    let words = "no contact begins to slide on the way; left opens at 0.941176 of leg 1, (16, 0) N";
     assert!(along.ends_with(words), "{along}");
 }
 
@@ -64,7 +64,7 @@ fn a_motor_that_stalls_is_named() {
         "questions": [{ "follow": { "legs": [{ "load_to": { "force": [20.01, 0] } }, { "load_to": { "force": [0, 0] } }] } }]
     }));
     let yields =
-        "HELD to the end: motor yields at 0.5 of leg 0, (10.005, 0) N; no contact begins to slide on the way";
+        "HELD to the end: motor yields at 0.5 of leg 1, (10.005, 0) N; no contact begins to slide on the way";
     assert!(said.starts_with("GOES TOO FAR from ") && said.ends_with(yields), "{said}");
 }
 

@@ -251,12 +251,12 @@ fn jumps<const C: usize>(path: &PathAnswer<C>, place: &dyn Fn(usize, f64, &Wrenc
     jump(true).or_else(|| jump(false)).unwrap_or_default()
 }
 
-/// The first line of `follow`: "LOST at 0.425 of leg 0, (0, 0, -8.5) N: no contact states carry more; first slip at 0.215 of leg 0, (0, 0, -4.3) N".
+/// The first line of `follow`: "LOST at 0.425 of leg 1, (0, 0, -8.5) N: no contact states carry more; first slip at 0.215 of leg 1, (0, 0, -4.3) N".
 fn followed<const C: usize>(path: &PathAnswer<C>, words: Words) -> String {
     let digits = words.precision();
     let place = |leg: usize, fraction: f64, load: &Wrench<C>| {
         let load = if *load == Wrench::ZERO { String::new() } else { format!(", {}", words.load(load)) };
-        format!("{} of leg {leg}{load}", words.number(fraction))
+        format!("{} of leg {}{load}", words.number(fraction), leg + 1)
     };
     let slips = |what: &Change<C>| matches!(what, Change::Slides { .. } | Change::ClosesSliding { .. });
     let first = path.events.iter().find(|event| event.changes.iter().any(|change| slips(&change.what)));
@@ -317,7 +317,7 @@ fn followed<const C: usize>(path: &PathAnswer<C>, words: Words) -> String {
             format!("LOST at {}: {}; {slip}", place(loss.leg, loss.fraction, &loss.load), loss.kind)
         }
         PathOutcome::Undecided { leg, fraction, doubt } => {
-            format!("UNDECIDED beyond {} of leg {leg}: {doubt}; {slip}", words.number(*fraction))
+            format!("UNDECIDED beyond {} of leg {}: {doubt}; {slip}", words.number(*fraction), leg + 1)
         }
         PathOutcome::NoStart { start } => match &**start {
             Outcome::Undecided(why) => return format!("UNDECIDED where the load begins: {why}"),
@@ -328,7 +328,7 @@ fn followed<const C: usize>(path: &PathAnswer<C>, words: Words) -> String {
         Some(far) => {
             let (fraction, what) = (words.number(far.fraction), far.what.reason(words));
             let verb = LossVerb::from(&far.what);
-            format!("{verb} from {fraction} of leg {} on: {what}. Otherwise {sentence}", far.leg)
+            format!("{verb} from {fraction} of leg {} on: {what}. Otherwise {sentence}", far.leg + 1)
         }
         None => sentence,
     }
