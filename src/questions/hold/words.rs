@@ -254,11 +254,11 @@ impl<const C: usize> Verdict<C> {
     /// Writes the pull of each strap or rope under the whole load: "; strap pulls with 2668 N". Writes nothing if there are more than eight straps
     /// and ropes ([`MOST_NAMES`]).
     fn cables(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let all = self.state.as_ref().map_or(&[][..], |state| &state.contacts);
-        let cables = picked(all, &|one| (one.contact.link == Some(LinkKind::Cable)).then_some(one));
-        let words = Words::of(f);
+        let (Some(state), words) = (&self.state, Words::of(f)) else { return Ok(()) };
+        let cables =
+            picked(&state.contacts, &|one| (one.contact.link == Some(LinkKind::Cable)).then_some(one));
         cables.iter().filter(|_| cables.len() <= MOST_NAMES).try_for_each(|cable| {
-            let (name, pull) = (cable.contact.text(), cable.force[0]);
+            let (name, pull) = (cable.contact.text(), words.beside(cable.force[0], state.largest_force()));
             write!(f, "; {name} {}", LinkKind::Cable.carries(words, pull, pull, None))
         })
     }
