@@ -135,7 +135,7 @@ const EVERYTHING_STICKS: &str = "everything sticks";
 
 /// Names the contacts that slide in this equilibrium, or says that everything sticks; then names contacts that are open, or open in part.
 fn in_short<const C: usize>(state: &Equilibrium<C>) -> String {
-    let (mut slide, mut in_part, mut open, mut lifted) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+    let [mut slide, mut in_part, mut open, mut slack, mut lifted] = [const { Vec::new() }; 5];
     for contact in state.whole_contacts() {
         let name = contact.text();
         match contact {
@@ -146,6 +146,9 @@ fn in_short<const C: usize>(state: &Equilibrium<C>) -> String {
             WholeAnswer::Pad(pad) if pad.sliding > 0 => slide.push(name),
             WholeAnswer::Pad(pad) if pad.open > 0 => {
                 lifted.push(format!("{name} ({} of {} points)", pad.open, pad.points));
+                ContactState::Separated if point.gap > 0.0 && point.contact.link.is_some() => {
+                    slack.push(name)
+                }
             }
             WholeAnswer::Point(point) => match point.state {
                 ContactState::Sliding { .. } => slide.push(name),
@@ -156,12 +159,14 @@ fn in_short<const C: usize>(state: &Equilibrium<C>) -> String {
         }
     }
     let first = match (slide.len(), in_part.is_empty()) {
-        (0, true) if open.len() + lifted.len() > 0 => "everything that touches sticks".to_owned(),
+        (0, true) if open.len() + slack.len() + lifted.len() > 0 => {
+            "everything that touches sticks".to_owned()
+        }
         (0, true) => EVERYTHING_STICKS.to_owned(),
         (0, false) => format!("{} in part", plural(&in_part, "slides")),
         _ => plural(&[slide, in_part].concat(), "slides"),
     };
-    let clauses = [(open, "is open"), (lifted, "is open in part")];
+    let clauses = [(open, "is open"), (slack, "is slack"), (lifted, "is open in part")];
     let clauses = clauses.iter().filter(|(names, _)| !names.is_empty());
     clauses.fold(first, |line, (names, verb)| format!("{line}, {}", plural(names, verb)))
 }
@@ -237,6 +242,7 @@ fn plural<T: ToString>(names: &[T], verb: &str) -> String {
         _ => first.strip_suffix('s').unwrap_or(first),
     };
     format!("{} {first}{rest}", listed(&names.iter().map(T::to_string).list()))
+        "goes" => "go",
 }
 
 /// The first jump of a path in which the object snaps over, or else the first jump: "snaps over at 0.7 of leg 2, (0, -4) N, counting no momentum; ".
@@ -276,12 +282,11 @@ fn followed<const C: usize>(path: &PathAnswer<C>, words: Words) -> String {
         core::mem::swap(&mut from_start, &mut at_the_end);
     }
     let opens = path.events.iter().find_map(|event| {
-        let names = mapped(&event.whole_changes(), &|change| {
-            (change.what == PadChange::Point(Change::Opens)).then(|| change.contact.text())
-        });
-        let names: Vec<_> = names.into_iter().flatten().list();
-        let place = || place(event.leg, event.fraction, &event.load);
-        (!names.is_empty()).then(|| format!("{} at {}", plural(&names, "opens"), place()))
+        let opened = event.whole_changes().into_iter();
+        let opened = opened.filter(|change| change.what == PadChange::Point(Change::Opens)).list();
+        let (names, verb) =
+            (mapped(&opened, &|change| change.contact.text()), opened.first()?.verb_in(words));
+        Some(format!("{} at {}", plural(&names, &verb), place(event.leg, event.fraction, &event.load)))
     });
     let slip = match (first, step) {
         (Some(event), _) if !from_start.is_empty() && (event.leg, event.fraction) != (0, 0.0) => {

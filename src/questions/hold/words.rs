@@ -404,7 +404,7 @@ impl fmt::Display for NoEquilibriumNear {
 }
 
 /// Names of contacts and links with the verb for opening: "left opens", "left and right open, rope goes slack".
-pub(super) fn they_open(parts: &[WholeContact]) -> String {
+pub(crate) fn they_open(parts: &[WholeContact]) -> String {
     let (ropes, contacts): (Vec<_>, Vec<_>) = parts.iter().cloned().partition(|part| part.link.is_some());
     let clauses = [contacts, ropes].into_iter().filter_map(|list| {
         let link = list.first()?.link;
