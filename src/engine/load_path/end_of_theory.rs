@@ -8,6 +8,7 @@ use super::small_motions::EndOfSmallMotions;
 use crate::equilibrium::TooFar;
 use crate::grasp::Wrench;
 use crate::numerics::tolerances::NEGLIGIBLE;
+use crate::prelude::*;
 
 impl<const C: usize> LoadPath<'_, C> {
     /// The point, on the part of the path followed so far, from which on the answers say little about the object. There a motion is no longer small,
@@ -36,12 +37,9 @@ pub(super) fn end_of_theory<const C: usize>(
     unstable.or_else(|| far.cloned())
 }
 
-/// The point of the path, to nine digits, from which on the grasp buckles or the object turns over. Both are checked at rest, at the end of each leg and at the point `end`,
-/// wherever the points of action of the load are known. Along a load that turns they are checked in between, too.
-fn unstable_from<const C: usize>(
-    path: &dyn AnyPath<C, Event<C>>,
-    end: (usize, f64),
-) -> Option<EndOfSmallMotions> {
+/// The places of a path up to the place `end` at which it is asked whether the grasp buckles or the object turns over: rest and the ends of legs. Along a
+/// load that turns they lie in between, too.
+pub(super) fn places<const C: usize, T>(path: &dyn AnyPath<C, T>, end: (usize, f64)) -> Vec<(usize, f64)> {
     let load = |leg: usize, fraction: f64| path.state_at(leg, fraction).map(|state| state.load);
     let turns = |leg: usize, to: f64| {
         let loads = (load(leg, 0.0), load(leg, 0.5 * to), load(leg, to));
@@ -57,6 +55,16 @@ fn unstable_from<const C: usize>(
         places.extend((1..=parts).map(|k| (leg, to * f64::from(k) / f64::from(parts))));
     }
     places.dedup();
+    places
+}
+
+/// The point of the path, to nine digits, from which on the grasp buckles or the object turns over. Both are checked at the [`places`] of the path,
+/// wherever the points of action of the load are known.
+fn unstable_from<const C: usize>(
+    path: &dyn AnyPath<C, Event<C>>,
+    end: (usize, f64),
+) -> Option<EndOfSmallMotions> {
+    let places = places(path, end);
     let unstable = |place: &(usize, f64)| {
         path.state_at(place.0, place.1).and_then(|state| state.too_far).filter(TooFar::is_unstable)
     };

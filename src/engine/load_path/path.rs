@@ -155,6 +155,10 @@ impl<const C: usize, T: Face> AnyPath<C, T> for ConvertedPath<'_, C, T> {
     fn all_slide_from(&self, until: (usize, f64)) -> Option<(usize, f64)> {
         self.inside.all_slide_from(until)
     }
+
+    fn left_out(&self) -> Option<f64> {
+        self.inside.left_out()
+    }
 }
 
 /// Converts a path of the engine for a caller with vectors of `C` components.
@@ -167,6 +171,11 @@ pub(crate) fn path_outside<const C: usize, T: Face>(path: Path<'_, 3, T::Inside>
 impl<'g, const C: usize, T> Path<'g, C, T> {
     pub(crate) fn new(path: Box<dyn AnyPath<C, T> + 'g>) -> Self {
         Self(path)
+    }
+
+    /// The least fraction [`Verdict::left_out`](crate::hold::Verdict::left_out) of the resistance at the ends of legs, and along turns.
+    pub(crate) fn left_out(&self) -> Option<f64> {
+        self.0.left_out()
     }
 
     /// The end of the path; `None` while there is more to follow. `Completed` becomes `None` again if [`Self::continue_with`] appends legs.

@@ -4,13 +4,13 @@
 //! it jumps from a point at which the path of equilibria ends.
 
 use super::answer::Answer;
-use super::onset::{OnsetAnswer, OnsetAt};
+use super::onset::{OnsetAnswer, OnsetAt, TurnAnswer};
 use super::path::{PathAnswer, PathOutcome};
 use super::question::Question;
 use super::solved::SolveAnswer;
 use crate::equilibrium::{ContactState, Equilibrium, Outcome, WholeAnswer};
 use crate::grasp::Wrench;
-use crate::hold::{LossVerb, NO_MOMENTUM};
+use crate::hold::{LossVerb, NO_MOMENTUM, left_out_caution};
 use crate::load_path::{Change, DriveChange, Event, PadChange};
 use crate::numerics::{IntoList, mapped};
 use crate::words::{Words, listed, printable};
@@ -55,8 +55,7 @@ impl<const C: usize> Question<C> {
                 first_slip(onset, &|at| place(at.factor), HOWEVER_FAR, words)
             }
             (Self::OnsetOfTurn(turn), Answer::OnsetOfTurn(answer)) => {
-                let turns = format!("while the load turns by {}", words.angle(turn.angle()));
-                first_slip(&answer.onset, &|at| words.angle(at.angle), &turns, words)
+                turned(answer, &format!("while the load turns by {}", words.angle(turn.angle())), words)
             }
             _ => answer.first_line(words),
         }
@@ -92,9 +91,7 @@ impl<const C: usize> Answer<C> {
                 solved(&under, answer, words)
             }
             Self::Onset(onset) => first_slip(onset, &|at| at_factor(at.factor, words), HOWEVER_FAR, words),
-            Self::OnsetOfTurn(answer) => {
-                first_slip(&answer.onset, &|at| words.angle(at.angle), "while the load turns", words)
-            }
+            Self::OnsetOfTurn(answer) => turned(answer, "while the load turns", words),
             Self::Follow(path) => followed(path, words),
         }
     }
@@ -146,12 +143,12 @@ fn in_short<const C: usize>(state: &Equilibrium<C>) -> String {
             WholeAnswer::Pad(pad) if pad.sliding > 0 => slide.push(name),
             WholeAnswer::Pad(pad) if pad.open > 0 => {
                 lifted.push(format!("{name} ({} of {} points)", pad.open, pad.points));
-                ContactState::Separated if point.gap > 0.0 && point.contact.link.is_some() => {
-                    slack.push(name)
-                }
             }
             WholeAnswer::Point(point) => match point.state {
                 ContactState::Sliding { .. } => slide.push(name),
+                ContactState::Separated if point.gap > 0.0 && point.contact.link.is_some() => {
+                    slack.push(name)
+                }
                 ContactState::Separated if point.gap > 0.0 => open.push(name),
                 _ => {}
             },
@@ -178,6 +175,12 @@ fn sliding<const C: usize>(state: &Equilibrium<C>) -> Vec<String> {
         WholeAnswer::Point(point) => matches!(point.state, ContactState::Sliding { .. }),
     };
     state.whole_contacts().filter(slides).map(|contact| contact.text()).list()
+}
+
+/// The first line of `onset_of_turn`; see [`first_slip`].
+fn turned<const C: usize>(answer: &TurnAnswer<C>, how_far: &str, words: Words) -> String {
+    let first = first_slip(&answer.onset, &|at| words.angle(at.angle), how_far, words);
+    first + &left_out_caution(answer.left_out)
 }
 
 /// The first line of `onset`, such as "FIRST SLIP at 10 N: left and right slide; beyond: the grasp still holds at first".
@@ -239,10 +242,10 @@ fn plural<T: ToString>(names: &[T], verb: &str) -> String {
     let first = match first {
         _ if names.len() == 1 => first,
         "is" => "are",
+        "goes" => "go",
         _ => first.strip_suffix('s').unwrap_or(first),
     };
     format!("{} {first}{rest}", listed(&names.iter().map(T::to_string).list()))
-        "goes" => "go",
 }
 
 /// The first jump of a path in which the object snaps over, or else the first jump: "snaps over at 0.7 of leg 2, (0, -4) N, counting no momentum; ".
@@ -329,6 +332,7 @@ fn followed<const C: usize>(path: &PathAnswer<C>, words: Words) -> String {
             none => return format!("NO START: {none:.digits$}"),
         },
     };
+    let sentence = sentence + &left_out_caution(path.left_out);
     match &path.small_motions_end {
         Some(far) => {
             let (fraction, what) = (words.number(far.fraction), far.what.reason(words));

@@ -7,7 +7,7 @@ use super::tolerances::CONSTANT_FORCES;
 use super::verdict::{Repeats, Shaken};
 use crate::equilibrium::{AIR_FLOWS_IN, TooFar};
 use crate::grasp::{BodyMotion, PartLabel, WholeContact};
-use crate::hold::{LossVerb, NO_MOMENTUM, subject_and_verb, they_open};
+use crate::hold::{LossVerb, NO_MOMENTUM, left_out_caution, subject_and_verb, they_open};
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::numerics::{IntoList, mapped};
 use crate::prelude::*;
@@ -44,7 +44,7 @@ impl<const C: usize> fmt::Display for Shaken<C> {
         if matches!(self.repeats, Repeats::Walks { .. } | Repeats::Alternates { .. }) {
             write!(f, ". {SLOWLY}")?;
         }
-        Ok(())
+        f.write_str(&left_out_caution(self.left_out))
     }
 }
 
