@@ -124,7 +124,7 @@ fn mistakes_in_a_robot_are_named() {
         ("knuckle: position is 58, must be from -57.2", &|robot| robot["joints"] = json!({ "knuckle": 58 })),
         // A command beyond these limits is no force: the controller stops there.
         ("knuckle: command is -60, must be from -57.2", &|robot| {
-            robot["commanded"] = json!({ "knuckle": -60 })
+            robot["commanded"] = json!({ "knuckle": -60 });
         }),
         ("bend: is commanded without", &|robot| robot["stiffness"] = json!({ "wrist": 30, "knuckle": 4 })),
         ("joint thumb: is", &|robot| robot["stiffness"] = json!({ "thumb": 4 })),

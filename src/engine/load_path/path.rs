@@ -173,8 +173,10 @@ impl<'g, const C: usize, T> Path<'g, C, T> {
         Self(path)
     }
 
-    /// The least fraction [`Verdict::left_out`](crate::hold::Verdict::left_out) of the resistance at the ends of legs, and along turns.
-    pub(crate) fn left_out(&self) -> Option<f64> {
+    /// The least fraction [`Verdict::left_out`](crate::hold::Verdict::left_out) of the resistance at the ends of the legs so far, and along turns; `None`
+    /// if it is small.
+    #[must_use]
+    pub fn left_out(&self) -> Option<f64> {
         self.0.left_out()
     }
 

@@ -147,7 +147,7 @@ fn in_short<const C: usize>(state: &Equilibrium<C>) -> String {
             WholeAnswer::Point(point) => match point.state {
                 ContactState::Sliding { .. } => slide.push(name),
                 ContactState::Separated if point.gap > 0.0 && point.contact.link.is_some() => {
-                    slack.push(name)
+                    slack.push(name);
                 }
                 ContactState::Separated if point.gap > 0.0 => open.push(name),
                 _ => {}
