@@ -1,6 +1,7 @@
 //! Where the squeeze of a pinch turns with the part, every question says how much resistance it takes: the closed form `−N / (k_t a)`, as `hold` does.
 
 use grasp_lcp::scene::Scene;
+use grasp_lcp::words::Words;
 
 /// Two jaws that press with 20 N at ±0.04 m, with a tangential stiffness of 2000 N/m: they resist a turn with 6.4 N m/rad.
 const PINCH: &str = r#"{"format": "grasp-lcp/1", "planar": {"contacts": [
@@ -16,6 +17,12 @@ const PINCH: &str = r#"{"format": "grasp-lcp/1", "planar": {"contacts": [
 fn every_question_says_what_the_squeeze_takes() {
     let scene = Scene::from_json(PINCH.as_bytes()).expect("a scene");
     let answers = serde_json::to_value(scene.answers().expect("well posed")).expect("written");
+    let (setup, told) =
+        (scene.planar().expect("planar"), scene.answers().expect("well posed").planar().expect("planar"));
+    for (question, answer) in setup.questions.iter().zip(&told) {
+        let line = question.first_line(answer, Words::default());
+        assert!(line.contains(" they take 25 % of what resists"), "{line}");
+    }
     let taken = 20.0 / (2000.0 * 0.04);
     // The weight of 0.2 N at 0.5 m turns out of its moment of 0.1 N m, and moves the part by a few hundredths of a millimetre, too.
     let (turn, moved) = (0.1_f64.powi(2) / 6.4, 0.04 / 1e4 + 0.04 / 4e3);
