@@ -21,8 +21,9 @@ fn main() -> Result<(), grasp_lcp::Error> {
     println!("slides {}", jar.onset(Wrench::force([0.0, 0.0, -1.0]))?);
     let mut path = jar.follow(Wrench::ZERO, &[Leg::load_to(down), Leg::load_to(Wrench::ZERO)])?;
     for event in path.run() {
+        let (leg, at) = (event.leg + 1, event.fraction);
         for change in &event.changes {
-            println!("leg {} at {:.6}: {} {}", event.leg, event.fraction, change.contact.text(), change.what);
+            println!("leg {leg} at {at:.6}: {} {}", change.contact.text(), change.what);
         }
     }
     if let Some(end) = path.end() {

@@ -193,7 +193,8 @@ pub enum Error {
     /// A turn (a leg along which the load turns) begins with another load than the load that acts just before this leg. Such a leg would make the
     /// load jump at its beginning, if it were followed.
     #[error(
-        "leg {leg}: its turn begins with {}, and {} acts before it, must be the same: give it as `start` or `base`, or by a leg before; loads that do not turn are `beside`",
+        "leg {}: its turn begins with {}, and {} acts before it, must be the same: give it as `start` or `base`, or by a leg before; loads that do not turn are `beside`",
+        leg + 1,
         load_text(begins),
         load_text(before)
     )]

@@ -120,7 +120,8 @@
 //!
 //! While the wedge is driven in, 500 N more are put on the machine: `2000 λ = (1800 + 500 λ) tan(α + 2φ)`.
 //!
-//! Along a program the load of each body may follow its own path, with `body_loads_by` and `body_loads_to` of a leg:
+//! Along a program the load of each body may follow its own path, with `body_loads_by` and `body_loads_to` of a leg. These loads begin at zero and
+//! act on top of the `load` and the weight that the body has in the scene:
 //!
 //! ```
 //! use grasp_lcp::planar::{Bodies, Body, Contact, Leg, Wrench};

@@ -118,6 +118,19 @@ fn a_rope_goes_slack() {
     assert!(event.to_string().ends_with("right goes slack"), "{event}");
 }
 
+/// A block of two upright springs of 1000 N/m sinks by 10 mm under 20 N. The springs at its sides hang across this motion and do not slip.
+#[test]
+fn a_spring_does_not_slip() {
+    use planar::{Bodies, Body, Link, Wrench};
+    let upright = |x: f64| Link::spring([x, 0.05], [x, 1.05], 1e3).to_ground("block");
+    let side = |x: f64| Link::spring([x, 0.0], [20.0 * x, 0.0], 1e3).to_ground("block");
+    let block =
+        Bodies::new([Body::new("block")]).links([upright(-0.05), upright(0.05), side(-0.05), side(0.05)]);
+    let sunk = state(&block.grasp().expect("well posed"), Wrench::force([0.0, -20.0]));
+    assert_close(sunk.twist.components()[1], -0.01);
+    assert_eq!(sunk.too_far, None);
+}
+
 /// A spring with a pretension of -5 N is compressed by a further `F/k`, and pushes.
 #[test]
 fn a_spring_pulls_and_pushes() {

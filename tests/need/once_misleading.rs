@@ -6,6 +6,7 @@ use grasp_lcp::planar;
 use grasp_lcp::scene::Scene;
 use grasp_lcp::spatial;
 use grasp_lcp::squeeze::Loads;
+use support::jaws::jaw;
 
 type Tested = Result<(), Box<dyn std::error::Error>>;
 
@@ -42,6 +43,26 @@ fn no_vacuum_helps_against_tilting_too_far() -> Tested {
 fn planar_scene(contacts: &str) -> Result<planar::Grasp, Box<dyn std::error::Error>> {
     let text = format!(r#"{{ "format": "grasp-lcp/1", "planar": {{ "contacts": [{contacts}] }} }}"#);
     Ok(Scene::from_json(text.as_bytes())?.planar().ok_or("a planar scene")?.grasp()?)
+}
+
+/// Two jaws with 20 N at μ = 0.4 carry the multiple λ of 20 N beside 1 N in any direction while `λ (20 + s + 0.4 c) <= 16` for each sine s and cosine c.
+/// The whole load slides at once; without friction nothing resists the direction along the jaws, which is named.
+#[test]
+fn a_load_beside_a_force_in_any_direction_is_sought_below_it() -> Tested {
+    let any = |size: f64| {
+        let base = planar::Wrench::force([0.0, -20.0]);
+        Need::load(Loads::AnyForce { base, size, point: [0.0; 2] }).if_lower_by(0.0, 0.0)
+    };
+    let jaws =
+        |mu: f64| planar::Grasp::new([-0.04, 0.04].map(|x| jaw::<2>(x, [5e3, 2e3], mu).pressed_with(20.0)));
+    let sticks = jaws(0.4)?.need(&any(1.0))?.sticks.and_then(|sticks| sticks.bound());
+    assert!(sticks.is_some_and(|most| (most - 16.0 / (20.0 + 1.16_f64.sqrt())).abs() < 1e-6), "{sticks:?}");
+    let needed = jaws(0.0)?.need(
+        &Need::squeeze(Loads::AnyForce { base: planar::Wrench::ZERO, size: 1.0, point: [0.0; 2] }).to_stick(),
+    )?;
+    let Amount::None { otherwise, .. } = &needed.amount else { panic!("{needed}") };
+    assert!(otherwise.starts_with("nothing resists ") && otherwise.ends_with('y'), "{needed}");
+    Ok(())
 }
 
 /// A force of 4.82 N in any direction. In some directions the object is caught, in others it is lost only beyond 4.82 N. Between these directions,

@@ -35,7 +35,7 @@ fn every_command_says_so() {
     // The jaws turn by 0.825 rad before they slide. The force of 1 N at 0.3 m has the moment of 1.1793 mN m, with an arm of 0.3 m cos θ, at the
     // fraction 0.00395073.
     assert!(told(&["onset", "--moment", "1"]).contains("turns 47.269° anticlockwise about (0, 0) m"));
-    assert!(told(&["follow", "--to", "0,1", "--at", "0.3,0"]).contains("leg 0 at 0.00395073: CAUTION"));
+    assert!(told(&["follow", "--to", "0,1", "--at", "0.3,0"]).contains("leg 1 at 0.00395073: CAUTION"));
     for near in [&["solve", "--moment", "0.00117"][..], &["follow", "--to", "0,0.0039", "--at", "0.3,0"]] {
         let words = told(near);
         assert!(!words.contains("small motions"), "{words}");

@@ -59,13 +59,14 @@ fn loads_of_other_questions_are_taken() {
 /// Friction carries 10 N along the jaws, of which 2 N act at rest.
 #[test]
 fn a_map_is_on_top_of_the_load_at_rest_of_any_question() {
-    let map = |questions: &str| {
-        let (answer, warned) = told(questions, &["map", "-", "--json"]);
+    let map_with = |questions: &str, base: &[&str]| {
+        let (answer, warned) = told(questions, &[&["map", "-", "--json"], base].concat());
         let map: serde_json::Value = serde_json::from_str(&answer).expect("JSON");
         let down =
             map["onsets"].as_array().and_then(|all| all.iter().find(|one| one["direction"][1] == -1.0));
         (down.and_then(|one| one["onset"].as_f64()).expect("a force"), warned)
     };
+    let map = |questions: &str| map_with(questions, &[]);
     let need = NEED.replace(r#""load""#, r#""base": {"force": [0, -2]}, "load""#);
     for questions in [HOLD, &need] {
         let (down, warned) = map(questions);
@@ -73,6 +74,9 @@ fn a_map_is_on_top_of_the_load_at_rest_of_any_question() {
     }
     let (down, warned) = map(&format!("{NEED}, {HOLD}"));
     assert!((down - 8.0).abs() < 1e-9 && warned.contains("that of question 2, (0, -2) N"), "{down} {warned}");
+    // The command line may have another one.
+    let (down, warned) = map_with(HOLD, &["--base", "0,-3"]);
+    assert!((down - 7.0).abs() < 1e-9 && warned.is_empty(), "{down} {warned}");
 }
 
 #[test]

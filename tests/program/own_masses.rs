@@ -1,6 +1,6 @@
 //! For bodies with masses, the command line turns or accelerates the scene's gravity, and counts no weight twice.
 
-use crate::{run_on, text};
+use crate::{folder, run_on, text};
 
 const ON_A_TRAY: &str = r#"{"format": "grasp-lcp/1", "planar": {"gravity": [0, -10],
     "bodies": [{"name": "box", "mass": 1, "centre_of_mass": [0, 0.05]}],
@@ -30,6 +30,9 @@ fn of_their_own_weight() {
     let shaken = told(&["need", "-", "load", "--acceleration", "1", "--may-slide"]);
     assert!(shaken.contains("TAKES 4 times") && shaken.contains(" 3.33333 times the load"), "{shaken}");
     assert!(told(&["shake", "-", "--acceleration", "1"]).starts_with("RESTS"));
+    let output = folder("own_masses").display().to_string();
+    let map = told(&["map", "-", "--base", "1,0", "-o", &output]);
+    assert!(map.contains("on top of (1, 0) N and the loads of the bodies"), "{map}");
 }
 
 #[test]

@@ -58,10 +58,10 @@ fn a_pad_begins_to_slide_and_slides_everywhere() {
     let events: Vec<_> =
         words.lines().filter(|line| line.starts_with("  leg ") && line.contains(": ")).collect();
     let expected = [
-        ("leg 0 at 0.555556, (0, 0, 0.05) N m: ", "tip begins"),
-        ("leg 0 at 0.925926, (0, 0, 0.0833333) N m: ", "tip slides everywhere"),
-        ("leg 0 at 0.925926: ", "CAUTION"),
-        ("leg 1 at 0, (0, 0, 0.09) N m: ", "tip sticks again"),
+        ("leg 1 at 0.555556, (0, 0, 0.05) N m: ", "tip begins"),
+        ("leg 1 at 0.925926, (0, 0, 0.0833333) N m: ", "tip slides everywhere"),
+        ("leg 1 at 0.925926: ", "CAUTION"),
+        ("leg 2 at 0, (0, 0, 0.09) N m: ", "tip sticks again"),
     ];
     assert_eq!(events.len(), expected.len(), "{words}");
     for (event, (place, told)) in events.iter().zip(expected) {

@@ -122,6 +122,10 @@ fn mistakes_in_a_robot_are_named() {
         ("joint thumb: is", &|robot| robot["joints"] = json!({ "thumb": 4 })),
         // The joint "knuckle" has the limits -1 and 1 rad.
         ("knuckle: position is 58, must be from -57.2", &|robot| robot["joints"] = json!({ "knuckle": 58 })),
+        // A command beyond these limits is no force: the controller stops there.
+        ("knuckle: command is -60, must be from -57.2", &|robot| {
+            robot["commanded"] = json!({ "knuckle": -60 });
+        }),
         ("bend: is commanded without", &|robot| robot["stiffness"] = json!({ "wrist": 30, "knuckle": 4 })),
         ("joint thumb: is", &|robot| robot["stiffness"] = json!({ "thumb": 4 })),
         ("link thumb: is", &|robot| robot["contacts"] = json!({ "thumb": [tip(1.0)] })),

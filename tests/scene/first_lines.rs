@@ -47,8 +47,30 @@ fn what_happens_at_the_end_of_a_path_or_without_slip() {
     let down = jaws(json!([{ "load_to": { "force": [0, -8] } }]));
     assert_eq!(down, "HELD to the end: left and right slide from there on");
     let along = jaws(json!([{ "load_to": { "force": [17, 0] } }, { "load_to": { "force": [0, 0] } }]));
-    let words = "no contact begins to slide on the way; left opens at 0.941176 of leg 0, (16, 0) N";
+    let words = "no contact begins to slide on the way; left opens at 0.941176 of leg 1, (16, 0) N";
     assert!(along.ends_with(words), "{along}");
+}
+
+/// A rope of 3e4 N/m pulls a block against two of 5e3 N/m with a pretension of 10 N each. Both are slack from 4e4 N/m · 2 mm = 80 N on.
+#[test]
+fn ropes_go_slack_and_do_not_open() {
+    let rope = |name: &str, to: [f64; 2], stiffness: f64, pretension: f64| json!({ "name": name, "on": "block", "cable": { "from": [0, 0], "to": to }, "stiffness": stiffness, "pretension": pretension });
+    let links = [
+        rope("left", [-1.0, 0.0], 3e4, 20.0),
+        rope("one", [1.0, 0.0], 5e3, 10.0),
+        rope("two", [2.0, 0.0], 5e3, 10.0),
+        rope("up", [0.0, 1.0], 1e4, 10.0),
+        rope("down", [0.0, -1.0], 1e4, 10.0),
+    ];
+    let under = |question: Value| {
+        first_line(
+            &json!({ "bodies": [{ "name": "block" }], "contacts": [], "links": links, "questions": [question] }),
+        )
+    };
+    let pulled = under(json!({ "follow": { "legs": [{ "load_to": { "force": [100, 0] } }] } }));
+    assert!(pulled.ends_with("; one and two go slack at 0.8 of leg 1, (80, 0) N"), "{pulled}");
+    let solved = under(json!({ "solve": { "load": { "force": [100, 0] } } }));
+    assert!(solved.ends_with("everything that touches sticks, one and two are slack"), "{solved}");
 }
 
 /// A spring of 1000 N/m shares a pull with a motor of 10 N m/rad on an arm of 0.1 m. The motor stalls at 5 N. With its tip of 1e6 N/m, the object has
@@ -64,7 +86,7 @@ fn a_motor_that_stalls_is_named() {
         "questions": [{ "follow": { "legs": [{ "load_to": { "force": [20.01, 0] } }, { "load_to": { "force": [0, 0] } }] } }]
     }));
     let yields =
-        "HELD to the end: motor yields at 0.5 of leg 0, (10.005, 0) N; no contact begins to slide on the way";
+        "HELD to the end: motor yields at 0.5 of leg 1, (10.005, 0) N; no contact begins to slide on the way";
     assert!(said.starts_with("GOES TOO FAR from ") && said.ends_with(yields), "{said}");
 }
 

@@ -13,6 +13,7 @@ mod golden;
 mod hands;
 mod identified;
 mod improved;
+mod left_out;
 mod lines;
 mod links;
 mod load_arrows;

@@ -186,6 +186,12 @@ fn a_pull_that_gives_way() {
         panic!("{stated:?}")
     };
     assert!(name == "belt" && (force - 50.0).abs() < 1e-9, "{stated:?}");
+    // A finger presses the part down by 10 mm and leaves the belt slack: it pulls with nothing, not with rounding.
+    let finger = r#"1e4}, {"name": "finger", "point": [0, 1], "normal": [0, -1], "friction": 0.5, "stiffness": 1e4, "force": 100}],"#;
+    let slack = warnings(
+        &belted(r#""pretension": 1"#).replace("1e4}],\n            \"links", &format!("{finger} \"links")),
+    );
+    assert!(slack.iter().any(|one| matches!(one, Warning::PullsOtherwise { force: 0.0, .. })), "{slack:?}");
     let installed = belted(r#""tension": 100"#);
     assert_eq!(warnings(&installed), []);
     let scene: Scene = serde_json::from_str(&installed).expect("a scene");

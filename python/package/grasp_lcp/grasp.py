@@ -42,7 +42,8 @@ class Leg(TypedDict, total=False):
 
     A load is an array of a force (N) or of a force and a moment (N m). Commands of contacts have one row a contact, in its frame (m). Commands
     of joints have one number a joint, then one a tendon (rad or m); torques that hold joints have one number a joint (N m or N). Loads of single
-    bodies are mappings from names of bodies. A ``turn`` must be the only entry; its keys are the arguments of :meth:`Grasp.turn`.
+    bodies are mappings from names of bodies; they begin at zero, on top of the ``load`` and the weight of the body. A ``turn``
+    must be the only entry; its keys are the arguments of :meth:`Grasp.turn`.
     """
 
     load_by: Load

@@ -197,6 +197,9 @@ pub(crate) enum Command {
         /// The point where the force acts, m; the origin if left out.
         #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
         at: Option<Numbers>,
+        /// A constant force, N, at the same point (--at), instead of the load at rest of the scene's questions.
+        #[arg(long, allow_hyphen_values = true, value_name = "X,Y[,Z]")]
+        base: Option<Numbers>,
         /// The unit of the point `--at`: m, cm, mm or in; the scene's field `unit` if left out.
         #[arg(long, value_parser = unit, value_name = "UNIT")]
         unit: Option<Unit>,

@@ -30,18 +30,18 @@ impl Report<'_> {
             for what in contacts.into_iter().chain(drives) {
                 let (fraction, load) =
                     (self.number(event.fraction), self.load_of(&event.load, Some(&event.state)));
-                self.line(&format!("leg {} at {fraction}, {load}: {what}", event.leg))?;
+                self.line(&format!("leg {} at {fraction}, {load}: {what}", event.leg + 1))?;
             }
             if let Some(jump) = &event.jump {
                 let (fraction, load) = (self.number(event.fraction), self.load(&event.load));
-                self.line(&format!("leg {} at {fraction}, {load}: {jump:.digits$}", event.leg))?;
+                self.line(&format!("leg {} at {fraction}, {load}: {jump:.digits$}", event.leg + 1))?;
             }
         }
         caution.map_or(Ok(()), |far| self.small_motions_end(far))?;
         for steps in path.steps.chunk_by(|a, b| a.leg == b.leg) {
             let Some(last) = steps.last() else { continue };
             let (fraction, load) = (self.number(last.fraction), self.load(&last.load));
-            let (leg, count, sliding, open) = (last.leg, steps.len(), last.sliding, last.open);
+            let (leg, count, sliding, open) = (last.leg + 1, steps.len(), last.sliding, last.open);
             self.line(&format!(
                 "leg {leg} at {fraction}, {load}: contacts sliding: {sliding}, open: {open}, steps: {count}"
             ))?;
@@ -58,7 +58,7 @@ impl Report<'_> {
     }
 
     fn small_motions_end(&mut self, far: &EndOfSmallMotions) -> io::Result<()> {
-        let (leg, fraction) = (far.leg, self.number(far.fraction));
+        let (leg, fraction) = (far.leg + 1, self.number(far.fraction));
         self.line(&format!(
             "leg {leg} at {fraction}: CAUTION, from here on {}",
             far.what.caution(self.style.words)

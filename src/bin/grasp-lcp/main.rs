@@ -40,11 +40,15 @@ use std::time::Instant;
 
 use clap::error::{ContextKind, ContextValue, ErrorKind};
 use clap::{CommandFactory, Parser};
+use grasp_lcp::grasp::Wrench;
+use grasp_lcp::load_path::Ramp;
+use grasp_lcp::scene::Question;
 use grasp_lcp::stream::{StreamOptions, answer_lines};
 
 use arguments::{Arguments, Command};
 use failure::Failure;
 use files::Pictures;
+use loads::OptionVectors;
 #[cfg(feature = "mesh")]
 use new::Template;
 
@@ -128,12 +132,16 @@ fn run(mut command: Command) -> Result<ExitCode, Failure> {
         }
         Command::Scene => io::stdout().write_all(arguments::FIELDS.as_bytes())?,
         Command::Values => values::print(&mut io::stdout().lock())?,
-        Command::Map { scene, mut at, unit, data_deviations, json, progress, output } => {
+        Command::Map { scene, mut at, base, unit, data_deviations, json, progress, output } => {
             let pictures = Pictures::new(&output, &scene);
-            let of_map = files::read(&scene)?;
+            let mut of_map = files::read(&scene)?;
             files::warn(&scene, &of_map)?;
             if let Some(at) = &mut at {
                 at.bring_to_metres(unit.unwrap_or(of_map.unit));
+            }
+            if base.is_some() {
+                let base = OptionVectors::of(&of_map.setup).base(base.as_ref(), at.as_ref())?;
+                of_map.setup.questions = vec![Question::onset(Ramp::load(base, Wrench::ZERO))];
             }
             let asked = (&data_deviations, map::MapProgress { lines: progress });
             map::map(&of_map, at.as_ref(), asked, (!json).then_some(&pictures))?;

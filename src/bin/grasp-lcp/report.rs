@@ -56,7 +56,7 @@ impl Report<'_> {
         &self,
         loads: impl IntoIterator<Item = (&'l str, &'l Wrench<3>)>,
     ) -> String {
-        let named = |(body, load)| format!(", {} on {}", self.load(load), printable(body));
+        let named = |(body, load)| format!(", {} more on {}", self.load(load), printable(body));
         loads.into_iter().map(named).collect::<Vec<_>>().concat()
     }
 

@@ -18,6 +18,7 @@ use nalgebra::{SMatrix, SVector};
 
 use super::answer::Equilibrium;
 use super::contact_answer::ContactAnswer;
+use super::too_far::TooFar;
 use crate::contact::State;
 use crate::grasp::{Engine, Hold, PointsOfAction, Site, Wrench, size_of};
 use crate::numerics::tolerances::NEGLIGIBLE;
@@ -29,6 +30,26 @@ use crate::prelude::*;
 use crate::words::LinkKind;
 
 impl Engine {
+    /// The fraction [`Verdict::left_out`](crate::hold::Verdict::left_out) of the resistance that geometric stiffness adds or takes away in the
+    /// equilibrium `there`. Without the equilibrium `rest`, from which only the load has changed, buckling alone counts. `None` if `there` is said to
+    /// buckle or to turn over.
+    pub(crate) fn left_out_between(
+        &self,
+        rest: Option<&Equilibrium<3>>,
+        there: &Equilibrium<3>,
+    ) -> Option<f64> {
+        if there.too_far.as_ref().is_some_and(TooFar::is_unstable) {
+            return None;
+        }
+        // The first fraction does not count the turning of the load. If the points of action of the load are known, it is already decided whether
+        // the grasp buckles. A fraction of -1 or less, which contradicts that decision, is then dropped.
+        let is_open = |part: &f64| *part > -1.0 || !self.may_buckle(&there.load);
+        let by_the_load = rest.and_then(|rest| self.left_out_by_small_motions(rest, there)).filter(is_open);
+        let by_forces = self.taken_by_forces(there, &there.load);
+        let by_rotations = rest.and_then(|rest| self.lost_resistance(rest, there));
+        [by_the_load, by_forces, by_rotations].into_iter().flatten().min_by(f64::total_cmp)
+    }
+
     /// The geometric stiffness as a fraction of the resistance to the motion q: `Σ [(F·r) |θ|² - (F·θ)(r·θ)] / (ΔW·q)`. The motion q leads from the
     /// equilibrium `rest` under the base load, which acts before the load of the question grows, to the equilibrium `there`, with the same commands.
     /// F are the contact forces in `rest`, and r their arms about the origin of twists, the centroid of the contacts. θ is the rotation in q, and ΔW
@@ -36,11 +57,7 @@ impl Engine {
     ///
     /// The fraction is negative if the forces lower the resistance. The geometric stiffness of the base load is not included. `None` if the size of the
     /// fraction is at most [`LEAST_FRACTION`], or for several bodies, or if `ΔW·q` is not positive.
-    pub(crate) fn left_out_by_small_motions(
-        &self,
-        rest: &Equilibrium<3>,
-        there: &Equilibrium<3>,
-    ) -> Option<f64> {
+    fn left_out_by_small_motions(&self, rest: &Equilibrium<3>, there: &Equilibrium<3>) -> Option<f64> {
         if self.bodies().is_some() {
             return None;
         }
@@ -63,7 +80,7 @@ impl Engine {
     ///
     /// `None` if the size of the fraction is below [`LEAST_TAKEN`]. `None` also for a grasp with more than
     /// [`MOST_COORDINATES`].
-    pub(crate) fn taken_by_forces(&self, there: &Equilibrium<3>, load: &Wrench<3>) -> Option<f64> {
+    fn taken_by_forces(&self, there: &Equilibrium<3>, load: &Wrench<3>) -> Option<f64> {
         let (mut stable, mut unstable) = (0.0, 1.0 / LEAST_TAKEN);
         let stiffness =
             self.unstable_at(unstable, &forces_in(&there.contacts), &is_open_in(&there.local.states), load)?;

@@ -45,7 +45,7 @@ impl Engine {
     /// the change of the load from the equilibrium `rest` to the equilibrium `there`, q the motion between them, and q' the same motion with finite
     /// rotations. Negative if the resistance becomes lower. `None` if the fraction is at most [`LEAST_FRACTION`], if the load is lost, if arms hardly
     /// change, if springs do not resist some motion, or if the load does no work.
-    pub(crate) fn lost_resistance(&self, rest: &Equilibrium<3>, there: &Equilibrium<3>) -> Option<f64> {
+    pub(super) fn lost_resistance(&self, rest: &Equilibrium<3>, there: &Equilibrium<3>) -> Option<f64> {
         let turned = self.turned_from(there)?.held()?;
         let turned_at_rest = match self.turned_from(rest) {
             Some(turned) => turned.held()?,

@@ -17,7 +17,7 @@ use crate::prelude::*;
 use crate::search::{SearchSolution, SmallMotions};
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
-use crate::words::{LinkKind, Words, listed, printable};
+use crate::words::{Words, listed, printable};
 
 /// The reason why a theory of small motions says little: a motion beyond [`SmallMotions`], a leak of a suction cup, or buckling.
 #[derive(Debug, Clone, PartialEq)]
@@ -231,7 +231,7 @@ impl Engine {
     }
 
     /// All motions that are compared with limits: the rotation of each body, of each revolute joint that moves a closed contact, and the slip or
-    /// opening of each contact except cables.
+    /// opening of each contact except cables and springs.
     pub(crate) fn counted_motions(
         &self,
         small: &SmallMotions,
@@ -252,9 +252,10 @@ impl Engine {
         }
         self.push_joint_turns(small, standing, &mut motions);
         let limit = small.slip * self.size_of_grasp();
-        for (i, (contact, site)) in self.contacts().iter().zip(self.sites()).enumerate() {
-            // Cables are left out: a slack cable is an open contact, but may hang loose by any length.
-            if contact.link == Some(LinkKind::Cable) {
+        for (i, site) in self.sites().iter().enumerate().take(self.len()) {
+            // Cables and springs are left out: a slack cable is an open contact, but may hang loose by any length, and a spring between two points
+            // does not slip where its ends move across it.
+            if self.rope(i).is_some() {
                 continue;
             }
             let moved = site.map.tr_mul(standing.twist);

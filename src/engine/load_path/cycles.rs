@@ -31,6 +31,8 @@ pub(crate) struct Cycles<'g> {
     /// The reason why the theory of small motions ceases to apply: a motion beyond its limit, a leak of a suction cup, or buckling. During the first
     /// cycle the first such event is stored, at whatever point it occurs. Later cycles are only checked for buckling, at the end of each cycle.
     too_far: Option<TooFar>,
+    /// The least fraction [`Verdict::left_out`](crate::hold::Verdict::left_out) of the resistance along the first cycle.
+    pub(crate) left_out: Option<f64>,
 }
 
 /// The cycle state: forces, gaps, slips and twist between two cycles. Each list has an entry for each contact and drive.
@@ -112,7 +114,7 @@ impl<'g> Cycles<'g> {
         // A cycle of legs is closed if it ends with its initial loads and commands, up to the fraction `SOLVED_ROUNDING` (1e-12) of their largest
         // values along the cycle.
         path.run.program.check_closed(SOLVED_ROUNDING)?;
-        Ok(Self { path, legs: legs.to_vec(), base: *base, completed: 0, too_far: None })
+        Ok(Self { path, legs: legs.to_vec(), base: *base, completed: 0, too_far: None, left_out: None })
     }
 
     /// The same cycle of legs, not followed yet, which starts from the cycle state `from`. `None` if `from` is no equilibrium of the grasp. Then a
@@ -140,7 +142,14 @@ impl<'g> Cycles<'g> {
             PiecewiseFollower::at_start(run, &slipped)
         });
         let path = begin.ok()?;
-        let begun = Self { path, legs: self.legs.clone(), base: self.base, completed: 0, too_far: None };
+        let begun = Self {
+            path,
+            legs: self.legs.clone(),
+            base: self.base,
+            completed: 0,
+            too_far: None,
+            left_out: None,
+        };
         let forces = &begun.path.follower.as_ref()?.node.at.forces;
         let is_there = forces.iter().zip(&from.forces).all(|(a, b)| (a - b).norm() <= NEGLIGIBLE * largest);
         is_there.then_some(begun)
@@ -187,6 +196,7 @@ impl<'g> Cycles<'g> {
         while self.path.next().is_some() {}
         if self.completed == 1 {
             self.too_far = end_of_theory(&self.path, self.path.end_of_small_motions()).map(|end| end.what);
+            self.left_out = self.path.left_out();
         } else if self.too_far.is_none() {
             // Slips change the contact forces from cycle to cycle, so that the grasp may buckle in a later cycle. This is checked at the end of each
             // cycle.

@@ -110,7 +110,7 @@ impl<const C: usize> fmt::Display for PathEnd<C> {
             Self::Lost(loss) => loss.fmt(f),
             Self::NoStart(start) => write!(f, "there is nothing to start from: {start:.digits$}"),
             Self::Undecided { leg, fraction, doubt } => {
-                write!(f, "held to {} of leg {leg}, beyond undecided: {doubt}", words.number(*fraction))
+                write!(f, "held to {} of leg {}, beyond undecided: {doubt}", words.number(*fraction), leg + 1)
             }
         }
     }
@@ -145,7 +145,7 @@ impl<const C: usize> fmt::Display for Loss<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let words = Words::of(f);
         let (fraction, load) = (words.number(self.fraction), words.load(&self.load));
-        write!(f, "this equilibrium ends at {fraction} of leg {}, {load}: {}", self.leg, self.kind)
+        write!(f, "this equilibrium ends at {fraction} of leg {}, {load}: {}", self.leg + 1, self.kind)
     }
 }
 

@@ -8,6 +8,7 @@ use super::small_motions::EndOfSmallMotions;
 use crate::equilibrium::TooFar;
 use crate::grasp::Wrench;
 use crate::numerics::tolerances::NEGLIGIBLE;
+use crate::prelude::*;
 
 impl<const C: usize> LoadPath<'_, C> {
     /// The point, on the part of the path followed so far, from which on the answers say little about the object. There a motion is no longer small,
@@ -38,13 +39,9 @@ pub(super) fn end_of_theory<const C: usize>(
     before.or_else(|| far.cloned())
 }
 
-/// The point of the path, to nine digits, from which on the grasp buckles, the object turns over, or finite rotations make a motion too large. All are
-/// checked at rest, at the end of each leg, where the first contact slides and at the point `end`, wherever the points of action of the load are known.
-/// Along a load that turns they are checked in between, too. Up to `end` the motions of small rotations are within their limits.
-fn before_large_motions<const C: usize>(
-    path: &dyn AnyPath<C, Event<C>>,
-    end: (usize, f64),
-) -> Option<EndOfSmallMotions> {
+/// The places of a path up to the place `end` at which it is asked whether the grasp buckles or the object turns over: rest and the ends of legs. Along a
+/// load that turns they lie in between, too. So does the place just before a first slip.
+pub(super) fn places<const C: usize, T>(path: &dyn AnyPath<C, T>, end: (usize, f64)) -> Vec<(usize, f64)> {
     let load = |leg: usize, fraction: f64| path.state_at(leg, fraction).map(|state| state.load);
     let turns = |leg: usize, to: f64| {
         let loads = (load(leg, 0.0), load(leg, 0.5 * to), load(leg, to));
@@ -65,6 +62,17 @@ fn before_large_motions<const C: usize>(
         places.insert(places.partition_point(|place| *place < last), last);
     }
     places.dedup();
+    places
+}
+
+/// The point of the path, to nine digits, from which on the grasp buckles, the object turns over, or finite rotations make a motion too large. All are
+/// checked at the [`places`] of the path, wherever the points of action of the load are known. Up to `end` the motions of small rotations are within
+/// their limits.
+fn before_large_motions<const C: usize>(
+    path: &dyn AnyPath<C, Event<C>>,
+    end: (usize, f64),
+) -> Option<EndOfSmallMotions> {
+    let places = places(path, end);
     let ends_theory = |place: &(usize, f64)| {
         let too_far = path.state_at(place.0, place.1).and_then(|state| state.too_far);
         too_far.filter(|what| !matches!(what, TooFar::Leaks { .. }))

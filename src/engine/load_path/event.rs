@@ -22,7 +22,7 @@ use crate::serial::AsComputed;
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct Event<const C: usize> {
-    /// Index of the leg (section of the load program), from 0.
+    /// Index of the leg (section of the load program), from 0. Sentences count legs from 1.
     pub leg: usize,
     /// Fraction of the leg that is done, from 0 to 1. It is exact up to rounding. If a contact slides on the round cone, it is exact up to the error
     /// of the integration steps, which [`LoadPath::step_error`](super::LoadPath::step_error) estimates.

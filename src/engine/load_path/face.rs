@@ -32,7 +32,7 @@ face_of_struct! {
     Derivative { twist, joints, forces }
     Step { leg, fraction, load, sliding, open, error }
     Turn { load, angle, tilts_bodies_about }
-    TurnOnset { onset, touches }
+    TurnOnset { onset, touches, turn }
 }
 
 face_of_enum! {

@@ -6,6 +6,7 @@ use core::fmt::Debug;
 use nalgebra::SVector;
 
 use super::beyond::{Beyond, EquilibriumEnd, beyond_end};
+use super::end_of_theory::places;
 use super::energy::LegEnergy;
 use super::event::{LossKind, PathEnd};
 use super::follower::{Advance, Follower, StateAtEdge};
@@ -119,6 +120,7 @@ pub(crate) trait AnyPath<const C: usize, T>: Debug {
     fn farthest(&self) -> f64;
     fn all_slide_from(&self, until: (usize, f64)) -> Option<(usize, f64)>;
     fn sticks_until(&self) -> Option<(usize, f64)>;
+    fn left_out(&self) -> Option<f64>;
 }
 
 impl<'g, F: Follower<'g>> AnyPath<3, F::Report> for Following<'g, F> {
@@ -215,5 +217,12 @@ impl<'g, F: Follower<'g>> AnyPath<3, F::Report> for Following<'g, F> {
 
     fn sticks_until(&self) -> Option<(usize, f64)> {
         self.follower.as_ref()?.sticks_until()
+    }
+
+    fn left_out(&self) -> Option<f64> {
+        let rest = self.state_at(0, 0.0).filter(|_| self.run.program.changes_loads_alone());
+        let part =
+            |(leg, fraction)| self.run.grasp.left_out_between(rest.as_ref(), &self.state_at(leg, fraction)?);
+        places(self, self.place()).into_iter().filter_map(part).min_by(f64::total_cmp)
     }
 }

@@ -17,7 +17,6 @@ use super::segment::Segment;
 use super::sticking_path::StickingPath;
 use super::trajectory::Trajectory;
 use super::turn::EdgeTouch;
-use super::turn_questions::TurnOnset;
 use crate::contact::State;
 use crate::equilibrium::{AnswerFor, Equilibrium, Outcome};
 use crate::error::Error;
@@ -77,29 +76,29 @@ impl Engine {
         }
         let trajectory = Trajectory::Straight { from: ramp.base, rate: ramp.direction };
         let rest = settle_at_rest(&segment.problem, settings);
-        let onset = self.onset_with_closing(segment, &rest, (trajectory, f64::INFINITY), settings).onset;
+        let onset = self.onset_with_closing(segment, &rest, (trajectory, f64::INFINITY), settings).0;
         memory.rest = Some(rest);
         Ok(onset)
     }
 
     /// The onset as the load follows `trajectory` up to the load factor `end`, in the general case in which contacts may close before the onset.
-    /// `rest` is the result of the search for the equilibrium at load factor 0.
+    /// `rest` is the result of the search for the equilibrium at load factor 0. Also returns the contacts and drives that touch their limit before.
     pub(super) fn onset_with_closing<'a>(
         &'a self,
         segment: Segment<'a>,
         rest: &SearchAtRest,
         (trajectory, end): (Trajectory<Wrench<3>>, f64),
         settings: &'a Settings,
-    ) -> TurnOnset<3> {
+    ) -> (Onset<3>, Vec<EdgeTouch>) {
         let (found, rule) = match self.sticking_base(&segment, &trajectory, rest) {
             Ok(base) => base,
-            Err(onset) => return TurnOnset { onset: *onset, touches: Vec::new() },
+            Err(onset) => return (*onset, Vec::new()),
         };
         let mut walk =
             StickingPath { segment, trajectory, end, settings, rule, factor: 0.0, touches: Vec::new() };
         let onset = walk.run(found.states);
         let touch = |(site, angle)| Some(EdgeTouch { of: self.edge_of(site)?, angle });
-        TurnOnset { onset, touches: walk.touches.into_iter().filter_map(touch).list() }
+        (onset, walk.touches.into_iter().filter_map(touch).list())
     }
 
     /// The equilibrium at the onset `event`; `None` if `event` and the grasp have different numbers of contacts and drives.

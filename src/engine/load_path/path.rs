@@ -159,6 +159,10 @@ impl<const C: usize, T: Face> AnyPath<C, T> for ConvertedPath<'_, C, T> {
     fn sticks_until(&self) -> Option<(usize, f64)> {
         self.inside.sticks_until()
     }
+
+    fn left_out(&self) -> Option<f64> {
+        self.inside.left_out()
+    }
 }
 
 /// Converts a path of the engine for a caller with vectors of `C` components.
@@ -171,6 +175,13 @@ pub(crate) fn path_outside<const C: usize, T: Face>(path: Path<'_, 3, T::Inside>
 impl<'g, const C: usize, T> Path<'g, C, T> {
     pub(crate) fn new(path: Box<dyn AnyPath<C, T> + 'g>) -> Self {
         Self(path)
+    }
+
+    /// The least fraction [`Verdict::left_out`](crate::hold::Verdict::left_out) of the resistance at the ends of the legs so far, and along turns; `None`
+    /// if it is small.
+    #[must_use]
+    pub fn left_out(&self) -> Option<f64> {
+        self.0.left_out()
     }
 
     /// The end of the path; `None` while there is more to follow. `Completed` becomes `None` again if [`Self::continue_with`] appends legs.

@@ -8,7 +8,7 @@ use nalgebra::{Matrix, SVector};
 
 use super::body_loads::BodyLoads;
 use super::held_torques::HeldTorques;
-use super::leg::Leg;
+use super::leg::{Leg, LegGoal};
 use super::trajectory::Trajectory;
 use super::turn::inside;
 use crate::error::Error;
@@ -152,6 +152,15 @@ impl Program {
         self.joints[1] = grasp.joint_commands().to_vec();
         self.bodies = BodyLoads::default();
         self.torques = HeldTorques::default();
+    }
+
+    /// Whether commands and joint torques stay along all legs.
+    pub(super) fn changes_loads_alone(&self) -> bool {
+        let stays = |leg: &Leg<3>| {
+            leg.commands == LegGoal::Stay
+                && [&leg.joints, &leg.torques].into_iter().all(|goal| *goal == LegGoal::Stay)
+        };
+        self.legs.iter().all(stays)
     }
 
     pub(super) fn has_leg(&self) -> bool {

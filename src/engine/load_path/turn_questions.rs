@@ -24,6 +24,8 @@ pub struct TurnOnset<const C: usize> {
     /// Contacts and drives that reach the boundary of their cone within rounding, without crossing it, before the onset. If there are any, a change
     /// of the last digits of the given grasp or load may turn such a touch into the onset.
     pub touches: Vec<EdgeTouch>,
+    /// The turn of which this is the onset.
+    pub turn: Turn<C>,
 }
 
 impl Engine {
@@ -33,18 +35,18 @@ impl Engine {
         let mut memory = OnsetMemory::default();
         memory.change = self.offset_changes(None, None);
         let segment = memory.segment(self, settings, Trajectory::Turn { load: inside.clone(), angle: 1.0 });
-        if let Some(happens) = first_to_leave_on_turn(&segment, turn, &inside) {
-            let onset = match happens {
-                WhileTurning::Never => Onset::Never,
-                WhileTurning::First(first) => {
-                    let load = turn.load_at(first.factor);
-                    first.onset(segment, load, &mut memory)
-                }
-            };
-            return Ok(TurnOnset { onset, touches: Vec::new() });
-        }
-        let trajectory = Trajectory::Turn { load: turn.load, angle: 1.0 };
-        let rest = settle_at_rest(&segment.problem, settings);
-        Ok(self.onset_with_closing(segment, &rest, (trajectory, turn.angle), settings))
+        let (onset, touches) = match first_to_leave_on_turn(&segment, turn, &inside) {
+            Some(WhileTurning::Never) => (Onset::Never, Vec::new()),
+            Some(WhileTurning::First(first)) => {
+                let load = turn.load_at(first.factor);
+                (first.onset(segment, load, &mut memory), Vec::new())
+            }
+            None => {
+                let trajectory = Trajectory::Turn { load: turn.load, angle: 1.0 };
+                let rest = settle_at_rest(&segment.problem, settings);
+                self.onset_with_closing(segment, &rest, (trajectory, turn.angle), settings)
+            }
+        };
+        Ok(TurnOnset { onset, touches, turn: *turn })
     }
 }

@@ -112,12 +112,12 @@ impl<const C: usize> Event<C> {
     }
 }
 
-/// Writes the event as text, for example "leg 0 at 0.5, (0, -4) N: left begins to slide".
+/// Writes the event as text, for example "leg 1 at 0.5, (0, -4) N: left begins to slide".
 impl<const C: usize> fmt::Display for Event<C> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (words, digits) = (Words::of(f), Words::of(f).precision());
         let (fraction, load) = (words.number(self.fraction), words.load(&self.load));
-        write!(f, "leg {} at {fraction}, {load}:", self.leg)?;
+        write!(f, "leg {} at {fraction}, {load}:", self.leg + 1)?;
         let contacts = self.whole_changes().into_iter().map(|change| format!(" {change:.digits$}"));
         let drives = self.drives.iter().map(|drive| format!(" {} {}", drive.part.text(), drive.what));
         let texts: Vec<_> = contacts.chain(drives).list();

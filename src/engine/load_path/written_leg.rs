@@ -56,7 +56,7 @@ struct WrittenLeg<const C: usize> {
     /// The change of the loads of bodies along the leg, by name.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     body_loads_by: BTreeMap<String, Wrench<C>>,
-    /// The loads of bodies at the end of the leg, by name. A body may not be in `body_loads_by` as well.
+    /// The loads of bodies at the end of the leg, by name, on top of the `load` and the weight of each body. A body may not be in `body_loads_by` as well.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     body_loads_to: BTreeMap<String, Wrench<C>>,
     /// The turn of the load along the leg, instead of all other fields. It begins with the load before the leg, `start` or `base` of a first leg.

@@ -15,7 +15,7 @@ use crate::grasp::{Hold, Wrench};
 use crate::load_path::Ramp;
 use crate::need::Quantity;
 use crate::numerics::summed;
-use crate::numerics::tolerances::NEGLIGIBLE;
+use crate::words::Words;
 
 impl Setup<3> {
     /// Whether the scene has a question in which nothing presses on any contact. Commands of fingers or joints press, and so does the constant load
@@ -125,6 +125,8 @@ impl Setup<3> {
 
     fn otherwise_under(&self, grasp: &Grasp<3>, base: &Wrench<3>) -> Result<Vec<Warning>, Error> {
         let Ok(Outcome::Equilibrium(state)) = grasp.solve(base) else { return Ok(Vec::new()) };
+        // If a contact no longer touches the object, or a link is slack, rounding errors leave a force of about 1e-77 N, which is reported as zero.
+        let told = |force: f64, nominal: f64| Words::default().beside(force, nominal.abs());
         let mut warnings = Vec::new();
         let (mut pressed, wholes) = (0, grasp.engine.wholes());
         for (contact, entry) in self.entries().enumerate() {
@@ -137,9 +139,7 @@ impl Setup<3> {
                 point.force_world.dot(&along)
             });
             if (force - nominal).abs() > OTHERWISE_PRESSED * nominal {
-                // If a contact no longer touches the object, rounding errors leave a force of about 1e-77 N, which is reported as zero.
-                let force = if force.abs() <= NEGLIGIBLE * nominal { 0.0 } else { force };
-                let name = entry.contact.label_text(contact);
+                let (name, force) = (entry.contact.label_text(contact), told(force, nominal));
                 warnings.push(Warning::PressesOtherwise { contact, name, stated: nominal, force });
             }
         }
@@ -156,8 +156,8 @@ impl Setup<3> {
             }
             let force = state.contacts[wholes[contacts + number].range.start].normal_force();
             if (force - nominal).abs() > OTHERWISE_PRESSED * nominal.abs() {
-                let (link, name) = (number, link.called(number));
-                warnings.push(Warning::PullsOtherwise { link, name, stated: nominal, force });
+                let (name, force) = (link.called(number), told(force, nominal));
+                warnings.push(Warning::PullsOtherwise { link: number, name, stated: nominal, force });
             }
         }
         Ok(warnings)

@@ -52,8 +52,8 @@ face_of_struct! {
     SolveAnswer { outcome, from_rest }
     CompareAnswer { says, agrees_up_to, comparison }
     OnsetAt<At> { at, load, leaving, drives, beyond, state }
-    TurnAnswer { onset, touches }
-    PathAnswer { end, events, steps, small_motions_end, energies, step_error }
+    TurnAnswer { onset, touches, left_out }
+    PathAnswer { end, events, steps, small_motions_end, left_out, energies, step_error }
     ShakeAnswer { says, shaken }
     ShakedownAnswer { says, rests, found }
 }

@@ -4,13 +4,13 @@
 //! it jumps from a point at which the path of equilibria ends.
 
 use super::answer::Answer;
-use super::onset::{OnsetAnswer, OnsetAt};
+use super::onset::{OnsetAnswer, OnsetAt, TurnAnswer};
 use super::path::{PathAnswer, PathOutcome};
 use super::question::Question;
 use super::solved::SolveAnswer;
 use crate::equilibrium::{ContactState, Equilibrium, Outcome, WholeAnswer};
 use crate::grasp::Wrench;
-use crate::hold::{LossVerb, NO_MOMENTUM};
+use crate::hold::{LossVerb, NO_MOMENTUM, left_out_caution};
 use crate::load_path::{Change, DriveChange, Event, PadChange};
 use crate::numerics::{IntoList, mapped};
 use crate::words::{Words, listed, printable};
@@ -55,8 +55,7 @@ impl<const C: usize> Question<C> {
                 first_slip(onset, &|at| place(at.factor), HOWEVER_FAR, words)
             }
             (Self::OnsetOfTurn(turn), Answer::OnsetOfTurn(answer)) => {
-                let turns = format!("while the load turns by {}", words.angle(turn.angle()));
-                first_slip(&answer.onset, &|at| words.angle(at.angle), &turns, words)
+                turned(answer, &format!("while the load turns by {}", words.angle(turn.angle())), words)
             }
             _ => answer.first_line(words),
         }
@@ -92,9 +91,7 @@ impl<const C: usize> Answer<C> {
                 solved(&under, answer, words)
             }
             Self::Onset(onset) => first_slip(onset, &|at| at_factor(at.factor, words), HOWEVER_FAR, words),
-            Self::OnsetOfTurn(answer) => {
-                first_slip(&answer.onset, &|at| words.angle(at.angle), "while the load turns", words)
-            }
+            Self::OnsetOfTurn(answer) => turned(answer, "while the load turns", words),
             Self::Follow(path) => followed(path, words),
         }
     }
@@ -135,7 +132,7 @@ const EVERYTHING_STICKS: &str = "everything sticks";
 
 /// Names the contacts that slide in this equilibrium, or says that everything sticks; then names contacts that are open, or open in part.
 fn in_short<const C: usize>(state: &Equilibrium<C>) -> String {
-    let (mut slide, mut in_part, mut open, mut lifted) = (Vec::new(), Vec::new(), Vec::new(), Vec::new());
+    let [mut slide, mut in_part, mut open, mut slack, mut lifted] = [const { Vec::new() }; 5];
     for contact in state.whole_contacts() {
         let name = contact.text();
         match contact {
@@ -149,6 +146,9 @@ fn in_short<const C: usize>(state: &Equilibrium<C>) -> String {
             }
             WholeAnswer::Point(point) => match point.state {
                 ContactState::Sliding { .. } => slide.push(name),
+                ContactState::Separated if point.gap > 0.0 && point.contact.link.is_some() => {
+                    slack.push(name);
+                }
                 ContactState::Separated if point.gap > 0.0 => open.push(name),
                 _ => {}
             },
@@ -156,12 +156,14 @@ fn in_short<const C: usize>(state: &Equilibrium<C>) -> String {
         }
     }
     let first = match (slide.len(), in_part.is_empty()) {
-        (0, true) if open.len() + lifted.len() > 0 => "everything that touches sticks".to_owned(),
+        (0, true) if open.len() + slack.len() + lifted.len() > 0 => {
+            "everything that touches sticks".to_owned()
+        }
         (0, true) => EVERYTHING_STICKS.to_owned(),
         (0, false) => format!("{} in part", plural(&in_part, "slides")),
         _ => plural(&[slide, in_part].concat(), "slides"),
     };
-    let clauses = [(open, "is open"), (lifted, "is open in part")];
+    let clauses = [(open, "is open"), (slack, "is slack"), (lifted, "is open in part")];
     let clauses = clauses.iter().filter(|(names, _)| !names.is_empty());
     clauses.fold(first, |line, (names, verb)| format!("{line}, {}", plural(names, verb)))
 }
@@ -173,6 +175,12 @@ fn sliding<const C: usize>(state: &Equilibrium<C>) -> Vec<String> {
         WholeAnswer::Point(point) => matches!(point.state, ContactState::Sliding { .. }),
     };
     state.whole_contacts().filter(slides).map(|contact| contact.text()).list()
+}
+
+/// The first line of `onset_of_turn`; see [`first_slip`].
+fn turned<const C: usize>(answer: &TurnAnswer<C>, how_far: &str, words: Words) -> String {
+    let first = first_slip(&answer.onset, &|at| words.angle(at.angle), how_far, words);
+    first + &left_out_caution(answer.left_out)
 }
 
 /// The first line of `onset`, such as "FIRST SLIP at 10 N: left and right slide; beyond: the grasp still holds at first".
@@ -234,6 +242,7 @@ fn plural<T: ToString>(names: &[T], verb: &str) -> String {
     let first = match first {
         _ if names.len() == 1 => first,
         "is" => "are",
+        "goes" => "go",
         _ => first.strip_suffix('s').unwrap_or(first),
     };
     format!("{} {first}{rest}", listed(&names.iter().map(T::to_string).list()))
@@ -251,12 +260,12 @@ fn jumps<const C: usize>(path: &PathAnswer<C>, place: &dyn Fn(usize, f64, &Wrenc
     jump(true).or_else(|| jump(false)).unwrap_or_default()
 }
 
-/// The first line of `follow`: "LOST at 0.425 of leg 0, (0, 0, -8.5) N: no contact states carry more; first slip at 0.215 of leg 0, (0, 0, -4.3) N".
+/// The first line of `follow`: "LOST at 0.425 of leg 1, (0, 0, -8.5) N: no contact states carry more; first slip at 0.215 of leg 1, (0, 0, -4.3) N".
 fn followed<const C: usize>(path: &PathAnswer<C>, words: Words) -> String {
     let digits = words.precision();
     let place = |leg: usize, fraction: f64, load: &Wrench<C>| {
         let load = if *load == Wrench::ZERO { String::new() } else { format!(", {}", words.load(load)) };
-        format!("{} of leg {leg}{load}", words.number(fraction))
+        format!("{} of leg {}{load}", words.number(fraction), leg + 1)
     };
     let slips = |what: &Change<C>| matches!(what, Change::Slides { .. } | Change::ClosesSliding { .. });
     let first = path.events.iter().find(|event| event.changes.iter().any(|change| slips(&change.what)));
@@ -276,12 +285,11 @@ fn followed<const C: usize>(path: &PathAnswer<C>, words: Words) -> String {
         core::mem::swap(&mut from_start, &mut at_the_end);
     }
     let opens = path.events.iter().find_map(|event| {
-        let names = mapped(&event.whole_changes(), &|change| {
-            (change.what == PadChange::Point(Change::Opens)).then(|| change.contact.text())
-        });
-        let names: Vec<_> = names.into_iter().flatten().list();
-        let place = || place(event.leg, event.fraction, &event.load);
-        (!names.is_empty()).then(|| format!("{} at {}", plural(&names, "opens"), place()))
+        let opened = event.whole_changes().into_iter();
+        let opened = opened.filter(|change| change.what == PadChange::Point(Change::Opens)).list();
+        let (names, verb) =
+            (mapped(&opened, &|change| change.contact.text()), opened.first()?.verb_in(words));
+        Some(format!("{} at {}", plural(&names, &verb), place(event.leg, event.fraction, &event.load)))
     });
     let slip = match (first, step) {
         (Some(event), _) if !from_start.is_empty() && (event.leg, event.fraction) != (0, 0.0) => {
@@ -317,18 +325,19 @@ fn followed<const C: usize>(path: &PathAnswer<C>, words: Words) -> String {
             format!("LOST at {}: {}; {slip}", place(loss.leg, loss.fraction, &loss.load), loss.kind)
         }
         PathOutcome::Undecided { leg, fraction, doubt } => {
-            format!("UNDECIDED beyond {} of leg {leg}: {doubt}; {slip}", words.number(*fraction))
+            format!("UNDECIDED beyond {} of leg {}: {doubt}; {slip}", words.number(*fraction), leg + 1)
         }
         PathOutcome::NoStart { start } => match &**start {
             Outcome::Undecided(why) => return format!("UNDECIDED where the load begins: {why}"),
             none => return format!("NO START: {none:.digits$}"),
         },
     };
+    let sentence = sentence + &left_out_caution(path.left_out);
     match &path.small_motions_end {
         Some(far) => {
             let (fraction, what) = (words.number(far.fraction), far.what.reason(words));
             let verb = LossVerb::from(&far.what);
-            format!("{verb} from {fraction} of leg {} on: {what}. Otherwise {sentence}", far.leg)
+            format!("{verb} from {fraction} of leg {} on: {what}. Otherwise {sentence}", far.leg + 1)
         }
         None => sentence,
     }

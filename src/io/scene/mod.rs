@@ -189,9 +189,9 @@
 //! which holds for all points of a soft fingertip. A leg, i.e. a section of a load program, has `load_by` or `load_to` (a wrench), `commands_by` or
 //! `commands_to` (rows), `joints_by` or `joints_to`, `torques_by` or `torques_to`, or one of each, or a `turn` alone: the load then changes as the
 //! turn does, from its value at the start of the leg. All that a leg does not mention stays constant. With several bodies `body_loads_by` or
-//! `body_loads_to` have loads on bodies by name, which change independently of the load. `joint_change` and `joints_by` have one number for each
-//! joint and then each tendon. `torques_by` has one number for each joint: the change of its constant torque or force, N m or N. Slides of contacts
-//! with a `force` come last.
+//! `body_loads_to` have loads on bodies by name, on top of their own, which change independently of the load. `joint_change` and `joints_by`
+//! have one number for each joint and then each tendon. `torques_by` has one number for each joint: the change of its constant torque or force, N m
+//! or N. Slides of contacts with a `force` come last.
 //!
 //! A turn (see [`Turn`](crate::load_path::Turn)) is a `weight` while the object is tilted with its grasp, or a `force` that turns, or three
 //! wrenches. In the plane it goes from x to y, in space about the axis by the right-hand rule:

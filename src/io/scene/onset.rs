@@ -137,6 +137,10 @@ pub struct TurnAnswer<const C: usize> {
     pub onset: OnsetAnswer<C, Angle>,
     /// Contacts and drives that before first slip reach the limit of their friction, torque or tension, up to rounding, without exceeding it.
     pub touches: Vec<EdgeTouch>,
+    /// The fraction of the springs' resistance that geometric stiffness adds or takes away between the beginning of the turn and first slip, or the end
+    /// of the turn; see [`Verdict::left_out`](crate::hold::Verdict::left_out).
+    #[serde(default, skip_serializing_if = "Option::is_none", with = "AsComputed::<Option<f64>>")]
+    pub left_out: Option<f64>,
 }
 
 impl SceneNames<'_> {
@@ -175,6 +179,13 @@ impl SceneNames<'_> {
                 self.name(contact);
             }
         }
-        TurnAnswer { onset: self.onset(&found.onset, |angle| Angle { angle }), touches }
+        let state = |angle: f64| self.0.solve(found.turn.load_at(angle)).ok()?.equilibrium().cloned();
+        let there = match &found.onset {
+            path::Onset::At(event) => self.0.state_at_onset(event),
+            path::Onset::Never => state(found.turn.angle()),
+            _ => None,
+        };
+        let left_out = there.and_then(|there| self.0.engine.left_out_between(state(0.0).as_ref(), &there));
+        TurnAnswer { onset: self.onset(&found.onset, |angle| Angle { angle }), touches, left_out }
     }
 }

@@ -28,6 +28,10 @@ pub struct PathAnswer<const C: usize> {
     /// undeformed geometry of the grasp, is inaccurate.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub small_motions_end: Option<EndOfSmallMotions>,
+    /// The least fraction of the springs' resistance that geometric stiffness adds or takes away on the way; see
+    /// [`Verdict::left_out`](crate::hold::Verdict::left_out).
+    #[serde(default, skip_serializing_if = "Option::is_none", with = "AsComputed::<Option<f64>>")]
+    pub left_out: Option<f64>,
     /// The energies of each leg (section) of the load program that the path has reached; empty for a path in steps.
     pub energies: Vec<BalancedEnergy>,
     /// Sum of the estimated errors of the steps along pieces of the path on which slip directions turn. Each error is relative in the sense of
@@ -103,6 +107,7 @@ impl SceneNames<'_> {
             events: moved(events, &|event| self.event(event)),
             steps: Vec::new(),
             small_motions_end: path.end_of_theory(),
+            left_out: path.left_out(),
             energies: mapped(path.energies(), &balanced),
             step_error: path.step_error(),
         }
@@ -120,6 +125,7 @@ impl SceneNames<'_> {
             events: Vec::new(),
             steps,
             small_motions_end,
+            left_out: path.left_out(),
             energies: Vec::new(),
             step_error: path.step_error(),
         }

@@ -61,14 +61,15 @@ impl RobotSetup<3> {
         let [roll, pitch, yaw] = self.turned_deg.map(f64::to_radians);
         let turned = UnitQuaternion::from_euler_angles(roll, pitch, yaw);
         robot = robot.placed(Isometry3::from_parts(Translation3::from(self.at), turned));
-        for (name, position) in &self.joints {
-            let position = robot.in_radians(name, *position)?;
+        for (name, given) in &self.joints {
+            let position = robot.in_radians(name, *given)?;
             robot = robot.posed(name, position)?;
-            self.check_range(&robot, name)?;
+            check_range(&robot, (name, "position", *given))?;
         }
-        for (name, position) in &self.commanded {
-            let position = robot.in_radians(name, *position)?;
+        for (name, given) in &self.commanded {
+            let position = robot.in_radians(name, *given)?;
             robot = robot.commanded(name, position)?;
+            check_range(&robot, (name, "command", *given))?;
         }
         robot = robot.stiffness(self.stiffness.get("others").copied().unwrap_or(0.0));
         for (name, stiffness) in self.stiffness.iter().filter(|(name, _)| *name != "others") {
@@ -84,22 +85,6 @@ impl RobotSetup<3> {
             }
         }
         Ok(if self.effort.is_some() { robot.limited_by_effort() } else { robot })
-    }
-
-    /// Refuses a joint whose position is beyond its limits in the description file. A thousandth of the distance of the limits is allowed, since
-    /// angles in degrees are often written with three digits.
-    fn check_range(&self, robot: &Robot, name: &str) -> Result<(), Error> {
-        let (unit, position) = (robot.in_radians(name, 1.0)?, self.joints[name]);
-        let joint = robot.joints().iter().find(|joint| joint.name() == name);
-        let [low, high] = joint.map_or([0.0; 2], |joint| joint.range().map(|limit| limit / unit));
-        let slack = 1e-3 * (high - low);
-        if low < high && !(low - slack..=high + slack).contains(&position) {
-            let fault = format!(
-                "joint {name}: position is {position}, must be from {low} to {high}, its limits in the file"
-            );
-            return Err(Error::Robot { fault });
-        }
-        Ok(())
     }
 
     /// Reads the robot, and returns its contacts on links that no joint moves, and fingers with all other contacts.
@@ -129,6 +114,21 @@ impl RobotSetup<3> {
         }
         Ok((fixed.into_iter().map(|k| entries[k].clone()).collect(), fingers))
     }
+}
+
+/// Refuses a joint whose position or command (`what`), degrees or m, is beyond its limits in the description file: no controller drives it there. A
+/// thousandth of the distance of the limits is allowed, since angles in degrees are often written with three digits.
+fn check_range(robot: &Robot, (name, what, value): (&str, &str, f64)) -> Result<(), Error> {
+    let (unit, joint) =
+        (robot.in_radians(name, 1.0)?, robot.joints().iter().find(|joint| joint.name() == name));
+    let [low, high] = joint.map_or([0.0; 2], |joint| joint.range().map(|limit| limit / unit));
+    let slack = 1e-3 * (high - low);
+    if low < high && !(low - slack..=high + slack).contains(&value) {
+        let fault =
+            format!("joint {name}: {what} is {value}, must be from {low} to {high}, its limits in the file");
+        return Err(Error::Robot { fault });
+    }
+    Ok(())
 }
 
 /// Transforms a contact, with the position and direction of its pad, from the frame of its link to the frame of the scene.

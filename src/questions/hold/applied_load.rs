@@ -209,33 +209,14 @@ impl Engine {
             return Ok((verdict, of_the_path));
         }
         let there = state.as_ref().or_else(|| verdict.lost.as_ref()?.state.as_deref());
-        let by_all = self.left_out_of(ramp, rest.as_ref(), there, held_to);
+        let moved = rest.filter(|_| ramp.command_change.is_none() && ramp.joint_change.is_none());
+        let left_out = there.and_then(|there| self.left_out_between(moved.as_ref(), there));
         // A grasp that buckles before the whole load acts is not also reported as near to buckling.
-        verdict.left_out = by_all.filter(|_| state.is_some() || !unstable);
+        verdict.left_out = left_out.filter(|_| state.is_some() || !unstable);
         self.let_swing(&mut verdict, ramp, settings);
         verdict.caught = CaughtJump::among(self.wholes(), &events);
         verdict.state = state.map(Box::new);
         Ok((verdict, of_the_path))
-    }
-
-    /// The fraction [`Verdict::left_out`] of the resistance that geometric stiffness adds or takes away, from the equilibria under the base load
-    /// (`rest`) and under the whole load or at the loss (`there`).
-    fn left_out_of(
-        &self,
-        ramp: &Ramp<3>,
-        rest: Option<&Equilibrium<3>>,
-        there: Option<&Equilibrium<3>>,
-        held_to: f64,
-    ) -> Option<f64> {
-        let rest = rest.filter(|_| ramp.command_change.is_none() && ramp.joint_change.is_none());
-        // The first fraction does not count the turning of the load. If the points of action of the load are known, the path has already decided
-        // whether the grasp buckles. A fraction of -1 or less, which contradicts that decision, is then dropped.
-        let is_open = |part: &f64| *part > -1.0 || !self.may_buckle(&ramp.load_at(1.0));
-        let by_the_load =
-            rest.zip(there).and_then(|(rest, there)| self.left_out_by_small_motions(rest, there));
-        let by_forces = there.and_then(|there| self.taken_by_forces(there, &ramp.load_at(held_to.min(1.0))));
-        let by_rotations = rest.zip(there).and_then(|(rest, there)| self.lost_resistance(rest, there));
-        by_the_load.filter(is_open).into_iter().chain(by_forces).chain(by_rotations).min_by(f64::total_cmp)
     }
 
     /// The conclusion [`Holding`] if the path ended before it reached the whole load. There are three cases: equilibrium was lost, no equilibrium was

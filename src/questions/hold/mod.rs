@@ -46,4 +46,4 @@ pub use caught_jump::{CaughtJump, CaughtMotion, CaughtSlip};
 pub use short_verdict::{LossVerb, ShortVerdict, VerdictKind};
 pub use verdict::{FirstSlip, Holding, Lost, NoEquilibriumNear, Verdict};
 pub use way_out::WayOut;
-pub(crate) use words::{subject_and_verb, taken_by_forces};
+pub(crate) use words::{left_out_caution, subject_and_verb, taken_by_forces, they_open};

@@ -40,6 +40,13 @@ pub(crate) fn taken_by_forces(part: f64) -> String {
     format!("as the forces turn with the parts they act on, they {verb} {times} what resists{so}")
 }
 
+/// The caution behind a sentence about the geometric stiffness, which the theory of small motions neglects; empty for `None`.
+pub(crate) fn left_out_caution(left_out: Option<f64>) -> String {
+    let Some(part) = left_out else { return String::new() };
+    let nothing_stays = if part <= -1.0 { ", so that nothing stays" } else { "" };
+    format!(". CAUTION, left out: {}{nothing_stays}", taken_by_forces(part))
+}
+
 /// Writes the sentence about an object that swings until it hangs.
 fn write_swing<const C: usize>(f: &mut fmt::Formatter<'_>, swing: &Motion<C>) -> fmt::Result {
     let words = Words::of(f);
@@ -156,9 +163,7 @@ impl<const C: usize> Verdict<C> {
     /// Writes the caution about the geometric stiffness (the change of contact forces as the parts turn), which the theory of small motions neglects.
     /// Writes nothing if [`Verdict::left_out`] is `None`, or if another sentence says that buckling remains open ([`Self::leaves_buckling_open`]).
     fn write_caution(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Some(part) = self.left_out.filter(|_| !self.leaves_buckling_open()) else { return Ok(()) };
-        let nothing_stays = if part <= -1.0 { ", so that nothing stays" } else { "" };
-        write!(f, ". CAUTION, left out: {}{nothing_stays}", taken_by_forces(part))
+        f.write_str(&left_out_caution(self.left_out.filter(|_| !self.leaves_buckling_open())))
     }
 
     /// The sentence about a lost load: the verb, the load at the loss, the jumps before the loss, and the motion of the object.
@@ -254,11 +259,11 @@ impl<const C: usize> Verdict<C> {
     /// Writes the pull of each strap or rope under the whole load: "; strap pulls with 2668 N". Writes nothing if there are more than eight straps
     /// and ropes ([`MOST_NAMES`]).
     fn cables(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let all = self.state.as_ref().map_or(&[][..], |state| &state.contacts);
-        let cables = picked(all, &|one| (one.contact.link == Some(LinkKind::Cable)).then_some(one));
-        let words = Words::of(f);
+        let (Some(state), words) = (&self.state, Words::of(f)) else { return Ok(()) };
+        let cables =
+            picked(&state.contacts, &|one| (one.contact.link == Some(LinkKind::Cable)).then_some(one));
         cables.iter().filter(|_| cables.len() <= MOST_NAMES).try_for_each(|cable| {
-            let (name, pull) = (cable.contact.text(), cable.force[0]);
+            let (name, pull) = (cable.contact.text(), words.beside(cable.force[0], state.largest_force()));
             write!(f, "; {name} {}", LinkKind::Cable.carries(words, pull, pull, None))
         })
     }
@@ -404,7 +409,7 @@ impl fmt::Display for NoEquilibriumNear {
 }
 
 /// Names of contacts and links with the verb for opening: "left opens", "left and right open, rope goes slack".
-pub(super) fn they_open(parts: &[WholeContact]) -> String {
+pub(crate) fn they_open(parts: &[WholeContact]) -> String {
     let (ropes, contacts): (Vec<_>, Vec<_>) = parts.iter().cloned().partition(|part| part.link.is_some());
     let clauses = [contacts, ropes].into_iter().filter_map(|list| {
         let link = list.first()?.link;

@@ -76,7 +76,8 @@ impl Loading {
         let at_rest = self.judged((verdict, f64::INFINITY), Demand::Sticks);
         if !at_rest.is_sufficient() {
             return Ok((demand == Demand::Sticks).then_some(match at_rest {
-                Trial::Insufficient { says, carried, .. } => Trial::insufficient(says, carried - 1.0),
+                // A negative part would mean that not even the load at rest is carried; the search for the greatest load would then end at once.
+                Trial::Insufficient { says, carried, .. } => Trial::insufficient(says, carried.min(0.0)),
                 other => other,
             }));
         }
@@ -105,7 +106,9 @@ impl Loading {
                 let along = self.words.along(&(load - *base).force_part().normalize());
                 Trial::insufficient(format!("{who} under a force along {along}"), most / size)
             }
-            WeakestDirection::GivesWay { .. } => Trial::nothing("nothing resists a force of one direction"),
+            WeakestDirection::GivesWay { motion } => {
+                Trial::nothing(format!("nothing resists {}", self.words.direction_of(&motion)))
+            }
             // A contact that is open before the force acts may be closed by the force. In that case no closed form compares directions.
             WeakestDirection::NotSticking => Trial::Unknown(
                 "a contact is open or at its edge before the force acts, and directions are compared only where all of \

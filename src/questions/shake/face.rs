@@ -9,7 +9,7 @@ same_on_both_sides! { BindingContact }
 
 face_of_struct! {
     Shakedown { factor, slips, binding, slips_change_normal_forces, friction_falls, around_the_round_cone, too_far }
-    Shaken { base, repeats, every, cycles, followed, change, ratio, opens, leaks, jumps, yields, moved, too_far, state }
+    Shaken { base, repeats, every, cycles, followed, change, ratio, opens, leaks, jumps, yields, moved, too_far, left_out, state }
 }
 
 face_of_enum! {

@@ -45,6 +45,7 @@ impl Engine {
                 yields: Vec::new(),
                 moved: Vec::new(),
                 too_far: None,
+                left_out: None,
                 state: None,
             });
         };
@@ -343,6 +344,7 @@ impl<'g> FollowedCycles<'g, '_> {
             jumps: self.jumps || last.is_some_and(|last| last.record.jumps > 0),
             yields,
             moved,
+            left_out: self.cycles.left_out,
             too_far: self.too_far.clone(),
             state,
         }

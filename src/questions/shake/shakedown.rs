@@ -19,7 +19,7 @@ use crate::grasp::{Engine, Site, WholeContact, Wrench};
 use crate::lcp::{self, quadratic_program};
 use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
 use crate::numerics::{
-    IntoList, any_index, chosen, indexed, largest, mapped, matrix_of, total, tried, vector_of,
+    IntoList, any_index, chosen, indexed, largest, mapped, matrix_of, moved, total, tried, vector_of,
 };
 use crate::prelude::*;
 use crate::search::Settings;
@@ -67,17 +67,23 @@ pub struct BindingContact {
     /// The number of the load, from 0; `None` for the base load alone.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub load: Option<usize>,
-    /// The contact that is at its limit of friction under this load.
+    /// The contact that is at its limit of friction, or without normal force, under this load.
     pub contact: WholeContact,
+    /// Whether the normal force of the contact is zero under this load: with larger loads the contact opens, or goes slack as a rope, instead of
+    /// sliding.
+    #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "core::ops::Not::not"))]
+    pub opens: bool,
 }
 
 impl<const C: usize> Shakedown<C> {
     /// Whether the grasp comes to rest under this multiple of the loads, in any order. `false` is proved as long as no contact opens. `None` up to
     /// `factor` if slips change normal forces, friction falls or cones are round; [`Grasp::shake`](crate::ask::Grasp::shake) then finds the answer.
+    /// `None` also beyond `factor` if nothing but contacts that open limit it.
     #[must_use]
     pub fn rests(&self, times: f64) -> Option<bool> {
         if times > self.factor {
-            return Some(false);
+            let is_proved = self.binding.is_empty() || self.binding.iter().any(|part| !part.opens);
+            return is_proved.then_some(false);
         }
         let decides = self.slips_change_normal_forces || self.around_the_round_cone || self.friction_falls;
         (!decides).then_some(true)
@@ -124,7 +130,7 @@ impl Engine {
             residual_slips[*i][*axis] = *size;
         }
         let most = multipliers.iter().copied().fold(0.0, f64::max);
-        let mut binding = Vec::new();
+        let (mut binding, most_force) = (Vec::new(), largest(&rest.of, &SVector::norm));
         for k in 0..=under.len() {
             let binds = |i: usize| {
                 let of = |((load, site), y): (&(usize, usize), &f64)| {
@@ -132,8 +138,19 @@ impl Engine {
                 };
                 program.of.iter().zip(&multipliers).any(of)
             };
-            let of = self.wholes().with(&binds).into_iter();
-            binding.extend(of.map(|contact| BindingContact { load: k.checked_sub(1), contact }));
+            let normal_force = |i: usize| {
+                let of_load = k.checked_sub(1).map_or(0.0, |load| factor * under[load][i][0]);
+                rest.of[i][0] + of_load + total(slips.len(), &|slip| sizes[slip] * slips[slip].1[i][0])
+            };
+            for opens in [false, true] {
+                let is_at_zero = |i: usize| normal_force(i) <= NEGLIGIBLE * most_force;
+                let of = self.wholes().with(&|i| binds(i) && is_at_zero(i) == opens);
+                binding.extend(moved(of, &|contact| BindingContact {
+                    load: k.checked_sub(1),
+                    contact,
+                    opens,
+                }));
+            }
         }
         let slips_change_normal_forces = normal > SOLVED_ROUNDING * all;
         let around_the_round_cone = settings.is_round(self.space());

@@ -60,6 +60,13 @@ pub struct Shaken<const C: usize> {
     /// changes. If a suction cup leaks or the grasp buckles first, this is stated instead. `None` if none of these occurs.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub too_far: Option<TooFar>,
+    /// The fraction of the springs' resistance that geometric stiffness adds or takes away, the least at the loads of a cycle; see
+    /// [`Verdict::left_out`]. `None` if it is small.
+    #[cfg_attr(
+        feature = "serde",
+        serde(default, skip_serializing_if = "Option::is_none", with = "AsComputed::<Option<f64>>")
+    )]
+    pub left_out: Option<f64>,
     /// The equilibrium after the last cycle that was followed, before the next one begins; `None` if the load path has ended.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub state: Option<Box<Equilibrium<C>>>,

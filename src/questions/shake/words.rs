@@ -7,9 +7,9 @@ use super::tolerances::CONSTANT_FORCES;
 use super::verdict::{Repeats, Shaken};
 use crate::equilibrium::{AIR_FLOWS_IN, TooFar};
 use crate::grasp::{BodyMotion, PartLabel, WholeContact};
-use crate::hold::{LossVerb, NO_MOMENTUM, subject_and_verb};
-use crate::numerics::mapped;
+use crate::hold::{LossVerb, NO_MOMENTUM, left_out_caution, subject_and_verb, they_open};
 use crate::numerics::tolerances::NEGLIGIBLE;
+use crate::numerics::{IntoList, mapped};
 use crate::prelude::*;
 use crate::words::{Words, listed};
 
@@ -44,7 +44,7 @@ impl<const C: usize> fmt::Display for Shaken<C> {
         if matches!(self.repeats, Repeats::Walks { .. } | Repeats::Alternates { .. }) {
             write!(f, ". {SLOWLY}")?;
         }
-        Ok(())
+        f.write_str(&left_out_caution(self.left_out))
     }
 }
 
@@ -155,7 +155,7 @@ impl<const C: usize> Shaken<C> {
         if self.opens.is_empty() || !self.leaks.is_empty() {
             return Ok(());
         }
-        write!(f, ", but {} in {}", subject_and_verb(&self.opens, "opens", "open"), self.in_every())
+        write!(f, ", but {} in {}", they_open(&self.opens), self.in_every())
     }
 
     fn write_moved(&self, f: &mut fmt::Formatter<'_>, words: Words) -> fmt::Result {
@@ -204,16 +204,18 @@ impl<const C: usize> fmt::Display for Shakedown<C> {
                 "MAY COME TO REST: up to {times} times these loads slips could keep everything still; whether they become such, the order of the loads decides"
             )?,
         }
-        let mut parts: Vec<WholeContact> = Vec::new();
-        for BindingContact { contact, .. } in &self.binding {
+        let mut parts: [Vec<WholeContact>; 2] = Default::default();
+        for BindingContact { contact, opens, .. } in &self.binding {
+            let parts = &mut parts[usize::from(*opens)];
             if !parts.contains(contact) {
                 let place = parts.partition_point(|part| part.contact <= contact.contact);
                 parts.insert(place, contact.clone());
             }
         }
-        if !parts.is_empty() {
-            write!(f, ". With more, {}", subject_and_verb(&parts, "slides", "slide"))?;
-        }
-        Ok(())
+        let [slide, open] = parts;
+        let slides = (!slide.is_empty()).then(|| subject_and_verb(&slide, "slides", "slide"));
+        let opens = (!open.is_empty()).then(|| they_open(&open));
+        let clauses = slides.into_iter().chain(opens).list();
+        if clauses.is_empty() { Ok(()) } else { write!(f, ". With more, {}", clauses.join(", ")) }
     }
 }

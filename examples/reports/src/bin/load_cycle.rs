@@ -126,7 +126,7 @@ impl Pictures<'_> {
         );
         let names = ["pull to 13 N", "release", "push to -9 N", "release", "pull until it is lost"];
         for (leg, name) in names.into_iter().enumerate() {
-            chart = chart.series(format!("leg {leg}: {name}"), self.leg(leg, &moves), Stroke::Directed);
+            chart = chart.series(format!("leg {}: {name}", leg + 1), self.leg(leg, &moves), Stroke::Directed);
         }
         support::save("load_cycle_loop.svg", &self.numbered(chart, None, &moves).to_svg()?)?;
         Ok(())

@@ -48,7 +48,7 @@ impl ShownAnswers {
     }
 }
 
-/// The beginning of the label of an event along a load program, such as "leg 0 at 0.5: left slides". A leg is a section of the program.
+/// The beginning of the label of an event along a load program, such as "leg 1 at 0.5: left slides". A leg is a section of the program.
 const EVENT_LABEL: &str = "leg ";
 /// The beginning of the label of a grasp before its finger places are improved.
 const BEFORE_LABEL: &str = "before";
@@ -254,7 +254,7 @@ fn followed(path: PathAnswer<3>, start: &Wrench<3>, legs: usize, words: Words) -
         PathOutcome::NoStart { .. } => (None, None, (0, 0.0), "nothing to start from"),
         _ => (None, None, (0, 0.0), NO_WORDS),
     };
-    let label = format!("{EVENT_LABEL}{leg} at {}: {how}", Words::default().number(fraction));
+    let label = format!("{EVENT_LABEL}{} at {}: {how}", leg + 1, Words::default().number(fraction));
     states.push(match found {
         Some(found) => state(label, *found, leaving),
         None => nothing(&label, Some(*start)),
@@ -272,5 +272,5 @@ fn changed(event: Event<3>, words: Words) -> ShownState {
     let what: Vec<_> = contacts.chain(drives).collect();
     let what = if what.is_empty() { "a motion is free".to_owned() } else { what.join(", ") };
     let fraction = Words::default().number(event.fraction);
-    state(format!("{EVENT_LABEL}{} at {fraction}: {what}", event.leg), event.state, None)
+    state(format!("{EVENT_LABEL}{} at {fraction}: {what}", event.leg + 1), event.state, None)
 }

@@ -108,16 +108,22 @@ pub(crate) fn caution<const C: usize>(grasp: &Grasp<C>, base: &Wrench<C>) -> Opt
     Some(format!("CAUTION, at rest already {says}"))
 }
 
-/// Lines of text for the picture: the point of the force, the constant load, and the warning of [`caution`], if any.
-pub(crate) fn words<const C: usize>(at: [f64; C], base: &Wrench<C>, caution: Option<String>) -> Vec<String> {
+/// Lines of text for the picture: the point of the force, the constant load, loads that bodies always have, and the warning of [`caution`], if any.
+pub(crate) fn words<const C: usize>(
+    setup: &Setup<C>,
+    at: [f64; C],
+    base: &Wrench<C>,
+    caution: Option<String>,
+) -> Vec<String> {
     let point = at.map(|x| x.to_string()).join(", ");
-    let load = base.components();
     let mut lines = vec![format!("Force at ({point}) m")];
-    if load.iter().any(|x| *x != 0.0) {
-        lines.push(format!("on top of {}", Words::default().load(base)));
-    } else {
-        lines.push("no other load".to_owned());
-    }
+    let weighs = setup.bodies.iter().any(|body| body.mass > 0.0) && setup.gravity.is_some();
+    let bodies = weighs || setup.bodies.iter().any(|body| body.load != Wrench::ZERO);
+    let base = (*base != Wrench::ZERO).then(|| Words::default().load(base));
+    let below: Vec<_> =
+        base.into_iter().chain(bodies.then(|| "the loads of the bodies".to_owned())).collect();
+    let on_top = format!("on top of {}", below.join(" and "));
+    lines.push(if below.is_empty() { "no other load".to_owned() } else { on_top });
     lines.extend(caution);
     lines
 }

@@ -76,7 +76,7 @@ pub(crate) fn map(
     let clean = |x: f64, beside: f64| Words::default().beside(x, beside.abs());
     let weakest = weakest.map(|([x, y], size)| (clean(y, x).atan2(clean(x, y)).rem_euclid(TAU), size));
 
-    let words = ask::words(at, &base, caution);
+    let words = ask::words(setup, at, &base, caution);
     println!("{title}: {}", words.join(", "));
     print_table(&angles, &firsts, &reserves, &lasts, most);
     println!("  {}", data_deviations.words().join(" "));

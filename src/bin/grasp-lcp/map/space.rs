@@ -85,7 +85,7 @@ pub(crate) fn map(
         return Ok(());
     };
     let title = pictures.title();
-    let words = ask::words(at, &base, caution).join(", ");
+    let words = ask::words(setup, at, &base, caution).join(", ");
     println!("{title}: {words}");
     print_table((&grasp, watch), (&first, &reserve), &pull, (base, most), weakest)?;
     println!("  {}", data_deviations.words().join(" "));
