@@ -318,3 +318,19 @@ fn a_vice_is_tightened_and_opened() -> Tested {
     assert!(matches!(refused, grasp_lcp::Error::JointCommands { given: 1, expected: 2, .. }), "{refused}");
     Ok(())
 }
+
+/// Two motors of 100 N/m are commanded to meet half a metre beyond each other and stall at 20 N. A small push carries the object and both jaws to where
+/// the spring of one motor needs less than 20 N, by 0.5 m - 20/100 m, and the answer says so.
+#[test]
+fn stalled_motors_that_run_away() -> Tested {
+    let jaw = |x: f64| {
+        let motor = Joint::prismatic([-x, 0.0]).stiffness(100.0).command(0.5).limit(Limit::Saturates(20.0));
+        Finger::new([motor]).contact(jaw::<2>(x, [1e6; 2], 0.5))
+    };
+    let grasp: Grasp = Hand::new([jaw(-0.03), jaw(0.03)]).grasp()?;
+    let verdict = grasp.hold(Wrench::force([5.0, 0.0]))?;
+    let moves = verdict.caught[0].moves.as_ref().ok_or("moves")?;
+    assert!((moves.distance - 0.3).abs() < 1e-4 && moves.contacts.is_empty(), "{verdict}");
+    assert!(!verdict.to_string().contains("nothing"), "{verdict}");
+    Ok(())
+}

@@ -28,8 +28,8 @@ pub struct CaughtJump {
     pub factor: f64,
     /// The contacts that slip in the jump, each with the length of its slip.
     pub slips: Vec<CaughtSlip>,
-    /// The motion in the jump of the body that moves farthest, if the jump closes gaps. `None` if no gap closes: contacts that are closed already
-    /// catch the object.
+    /// The motion in the jump of the body that moves farthest, if the jump closes gaps, or if motors yield in it and nothing slips. `None` otherwise:
+    /// contacts that are closed already catch the object as they slip.
     #[cfg_attr(feature = "serde", serde(default, skip_serializing_if = "Option::is_none"))]
     pub moves: Option<CaughtMotion>,
     /// True if the path of equilibria ends at this load, so that the object snaps over to another equilibrium ([`Jump::snaps`]).
@@ -54,13 +54,13 @@ pub struct CaughtSlip {
     pub distance: f64,
 }
 
-/// The motion in a jump, until gaps close, of the body that moves farthest.
+/// The motion in a jump of the body that moves farthest.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(feature = "schema", derive(schemars::JsonSchema))]
 #[non_exhaustive]
 pub struct CaughtMotion {
-    /// The contacts whose gaps close at the end of the motion.
+    /// The contacts whose gaps close at the end of the motion; empty if motors yield and none closes.
     pub contacts: Vec<WholeContact>,
     /// The name of the body that moves farthest.
     pub body: String,
@@ -85,7 +85,8 @@ impl CaughtMotion {
         let (distance, angle) = (farthest.middle_moves().norm(), farthest.twist.parts().1.size());
         let (turning, slides) = (farthest.turning_moves(), !jump.slips.is_empty());
         let body = farthest.body.to_string();
-        (!contacts.is_empty()).then_some(Self { contacts, body, distance, angle, turning, slides })
+        let yields = jump.slips.is_empty() && !jump.snaps;
+        (yields || !contacts.is_empty()).then_some(Self { contacts, body, distance, angle, turning, slides })
     }
 }
 
@@ -98,7 +99,8 @@ impl fmt::Display for CaughtMotion {
             (false, true) => format!("slides {}", words.length(self.distance)),
             (false, false) => format!("moves {}", words.length(self.distance)),
         };
-        write!(f, "{} {goes} to {}", printable(&self.body), listed(&self.contacts))
+        write!(f, "{} {goes}", printable(&self.body))?;
+        if self.contacts.is_empty() { Ok(()) } else { write!(f, " to {}", listed(&self.contacts)) }
     }
 }
 

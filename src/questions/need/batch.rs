@@ -142,9 +142,7 @@ impl BatchNeed {
         });
         let mut bounds: Vec<_> =
             mapped(&sticking, &|sticking| sticking.as_ref().and_then(|one| self.while_it_sticks(one)));
-        if self.quantity == Quantity::Load {
-            self.under_the_load_sought(rows.start, row, &sticking, &mut bounds);
-        }
+        self.at_the_amount_sought(rows.start, row, &sticking, &mut bounds);
         let mut amounts = Vec::with_capacity(rows.len());
         for (number, bound) in rows.zip(bounds) {
             amounts.push(match bound {
@@ -155,10 +153,9 @@ impl BatchNeed {
         amounts
     }
 
-    /// Fills in answers that [`Self::while_it_sticks`] leaves open, if the load is sought. That function bounds the rotation under the sought
-    /// multiple of the load; the bound may exceed the limit of small motions although the rotation does not. Therefore the rotation itself is
-    /// computed under that multiple.
-    fn under_the_load_sought<const C: usize>(
+    /// Fills in answers that [`Self::while_it_sticks`] leaves open. That function bounds the rotation with the sought multiple of load or squeeze; the
+    /// bound may exceed the limit of small motions although the rotation does not. Therefore the rotation itself is computed with that multiple.
+    fn at_the_amount_sought<const C: usize>(
         &self,
         first: usize,
         row: &RowOf<'_, C>,
@@ -173,6 +170,10 @@ impl BatchNeed {
         let multiplied = |k: usize, contacts: &mut Vec<Contact<C>>| {
             let (place, multiple) = again[k];
             let [base, load] = row(first + place, contacts);
+            if self.quantity == Quantity::Squeeze {
+                contacts.iter_mut().for_each(|contact| contact.squeeze(multiple));
+                return [base, load];
+            }
             [base, load * multiple]
         };
         let there = while_sticking(0..again.len(), &multiplied, &self.settings, &|_, _| true);
