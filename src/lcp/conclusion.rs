@@ -11,7 +11,7 @@ use super::residuals::{Residuals, ignores_q};
 use super::settings::Settings;
 use super::tolerances::{SOUND_RESIDUAL, ZERO_VALUE, residual_rounding};
 use super::workspace::Workspace;
-use crate::numerics::IntoList;
+use crate::numerics::{IntoList, any_index};
 use crate::prelude::*;
 
 impl Workspace {
@@ -54,7 +54,7 @@ impl Workspace {
         let mut residuals = self.refine(lcp, residuals);
         // A basic z_j that is zero in exact arithmetic is computed as noise. It is set to zero if that does not increase the residuals beyond
         // rounding.
-        if (0..n).any(|j| self.vanishing[j] && self.point.z[j] > 0.0) {
+        if any_index(n, &|j| self.vanishing[j] && self.point.z[j] > 0.0) {
             let kept = self.point.z.iter().zip(&self.vanishing).map(|(z, out)| if *out { 0.0 } else { *z });
             self.candidate.z.clear();
             self.candidate.z.extend(kept);

@@ -1,5 +1,6 @@
 //! Iteration over the nonzero entries of [M, q]: the matrix M of a problem, with its vector q as one more column. Subnormal entries count as zero.
 
+use crate::numerics::Reals;
 use crate::prelude::*;
 
 /// The nonzero entries of [M, q], column by column: a list of their rows, or the whole columns, whose entries are tested one by one.
@@ -62,7 +63,7 @@ impl Column<'_> {
     /// The sum of the entries `rho` over the rows in which the column has a nonzero entry.
     pub(super) fn sum(&self, rho: &[f64]) -> f64 {
         match self {
-            Self::Listed(list) => list.iter().map(|i| rho[*i as usize]).sum(),
+            Self::Listed(list) => list.iter().map(|i| rho[*i as usize]).added(),
             Self::InPlace(column) => sum_where(column, rho),
         }
     }

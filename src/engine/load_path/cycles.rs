@@ -16,7 +16,7 @@ use crate::equilibrium::{Equilibrium, TooFar};
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
 use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
-use crate::numerics::{IntoList, Vector, largest, numbered};
+use crate::numerics::{IntoList, Reals, Vector, largest, numbered};
 use crate::prelude::*;
 use crate::search::{Doubt, Settings};
 
@@ -202,7 +202,7 @@ impl<'g> Cycles<'g> {
         let n = slips_at_the_end.len();
         let mut record = CycleRecord {
             slid: vec![0.0; n],
-            dissipated: energies.iter().map(|leg| leg.dissipated).sum(),
+            dissipated: energies.iter().map(|leg| leg.dissipated).added(),
             largest: 0.0,
             open: vec![Some(f64::INFINITY); n],
             largest_gap: vec![0.0; n],

@@ -33,7 +33,7 @@ use crate::equilibrium::{CountedMotion, farthest};
 use crate::grasp::{Engine, Hold, Site};
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::numerics::{
-    Equation, MOST_UNKNOWNS, Vector, any_index, cleared_for, largest, numbered, solved, summed,
+    Equation, MOST_UNKNOWNS, Reals, Vector, any_index, cleared_for, largest, numbered, solved, summed,
 };
 use crate::prelude::*;
 use crate::search::Settings;
@@ -279,7 +279,7 @@ impl Slips<'_> {
         let mut change = Vec::new();
         ramp.offset_changes_into(self.grasp, &mut change).ok()?;
         let (mut problem, rate) = (self.problem.clone(), self.grasp.inside(&ramp.direction, "").ok()?);
-        let largest = (0..self.contacts()).map(|i| self.force(i, at).norm()).fold(0.0, f64::max);
+        let largest = (0..self.contacts()).map(|i| self.force(i, at).norm()).most();
         let base = self.grasp.load_alone(&ramp.base, "").ok()?;
         let most = largest.max((&base + &rate * at[1]).norm());
         let beyond = at[1] + a_little(self.grasp.sites(), &change, rate.clone(), most);

@@ -13,7 +13,8 @@
 //! twice the working precision restores the digits, or shows that it cannot.
 
 use crate::numerics::{
-    Band, BandFactors, Size, Vector, generic, mapped, moved, narrow_order, numbered, summed, widest,
+    Band, BandFactors, Reals, Size, Vector, dot, generic, mapped, moved, narrow_order, numbered, summed,
+    widest,
 };
 
 use core::ops::Range;
@@ -131,7 +132,7 @@ impl BandedTangent {
         wrench.iter().zip(&self.numbers).for_each(|(w, k)| q[*k] = *w);
         self.springs.add(self.pushes.as_ref().unwrap_or(&self.stretches), x, &mut q);
         self.factors.solve(&mut q);
-        self.springs.stretch(&self.stretches, &mut q, |spring, stretch| x[spring] -= stretch);
+        self.springs.stretch(&self.stretches, &mut q, &mut |spring, stretch| x[spring] -= stretch);
         Vector::from_fn(Size::of(q.len()), |k| q[self.numbers[k]])
     }
 
@@ -173,8 +174,11 @@ impl BandedTangent {
     pub(super) fn weighted_stretch(&self, contact: usize, times: &[f64], displacements: &[f64]) -> f64 {
         let mut sum = 0.0;
         self.springs.of(contact, |k, coordinates, range| {
-            let stretch: f64 =
-                coordinates.iter().zip(&self.stretches.rows[range]).map(|(j, a)| a * displacements[*j]).sum();
+            let stretch: f64 = coordinates
+                .iter()
+                .zip(&self.stretches.rows[range])
+                .map(|(j, a)| a * displacements[*j])
+                .added();
             sum += times[k] * stretch;
         });
         sum
@@ -196,13 +200,13 @@ impl BandedTangent {
             q.fill(0.0);
             self.springs.add(pushes, &x, &mut q);
             self.factors.solve(&mut q);
-            self.springs.stretch(&self.stretches, &mut q, |spring, stretch| x[spring] = stretch);
+            self.springs.stretch(&self.stretches, &mut q, &mut |spring, stretch| x[spring] = stretch);
             let after = length(&x);
             growth = growth.max(after / before);
             q.fill(0.0);
             self.springs.add(&self.stretches, &x, &mut q);
             self.factors.solve_transposed(&mut q);
-            self.springs.stretch(pushes, &mut q, |spring, stretch| x[spring] = stretch / after);
+            self.springs.stretch(pushes, &mut q, &mut |spring, stretch| x[spring] = stretch / after);
         }
         // Twice the estimate, since the power method gives a lower bound.
         2.0 * growth
@@ -252,8 +256,9 @@ impl SpringLists {
     fn side(&self, rows: Vec<f64>, count: usize) -> SpringRows {
         let (mut squares, mut longest) = (vec![0.0; count], 0.0_f64);
         self.for_each(|_, coordinates, range| {
-            coordinates.iter().zip(&rows[range.clone()]).for_each(|(k, x)| squares[*k] += x * x);
-            longest = longest.max(rows[range].iter().map(|x| x * x).sum());
+            let row = &rows[range];
+            coordinates.iter().zip(row).for_each(|(k, x)| squares[*k] += x * x);
+            longest = longest.max(dot(row, row));
         });
         let unit = |square: f64| if square > 0.0 { 1.0 / square.sqrt() } else { 1.0 };
         SpringRows { rows, units: moved(squares, &unit), longest: longest.sqrt() }
@@ -270,10 +275,14 @@ impl SpringLists {
 
     /// Multiplies each entry of the motion q by the factor that scales its column of the matrix A or B in `side` to length one. Then calls
     /// `visit(spring, stretch)` for every spring with its scaled stretch, an entry of A q or B q.
-    pub(super) fn stretch(&self, side: &SpringRows, q: &mut [f64], mut visit: impl FnMut(usize, f64)) {
+    pub(super) fn stretch(&self, side: &SpringRows, q: &mut [f64], visit: &mut dyn FnMut(usize, f64)) {
         q.iter_mut().zip(&side.units).for_each(|(q, unit)| *q *= unit);
         self.for_each(|spring, coordinates, range| {
-            visit(spring, coordinates.iter().zip(&side.rows[range]).map(|(k, a)| a * q[*k]).sum());
+            let mut stretch = -0.0;
+            for (k, a) in coordinates.iter().zip(&side.rows[range]) {
+                stretch += a * q[*k];
+            }
+            visit(spring, stretch);
         });
     }
 }

@@ -208,7 +208,7 @@ impl LinearProblem {
             return Some(motion);
         }
         if let Some((_, null)) = &self.band {
-            return null.motion_of_work(&self.stretched(|contact| offsets[contact]), load);
+            return null.motion_of_work(&self.stretched(&|contact| offsets[contact]), load);
         }
         let (pushes, coupling) = self.orthogonal().pushes.as_ref()?;
         let mut kernel: Vec<Vector> = Vec::new();
@@ -216,7 +216,7 @@ impl LinearProblem {
             orthonormalise_against(&mut z, &kernel);
             kernel.push(z);
         }
-        let pushed = pushes.coordinates(&self.stretched(|contact| offsets[contact]));
+        let pushed = pushes.coordinates(&self.stretched(&|contact| offsets[contact]));
         Some(pushes.preimage(&work_part(&kernel, &(pushed + pushes.load_coordinates(load)))?))
     }
 

@@ -116,14 +116,14 @@ fn sorted_null_vectors(
     let mut found: Vec<(Vector, Vec<f64>)> = Vec::new();
     for mut q in vectors {
         let mut stretches = vec![0.0; springs.counts.iter().sum()];
-        springs.stretch(side, &mut q, |spring, stretch| stretches[spring] = stretch);
+        springs.stretch(side, &mut q, &mut |spring, stretch| stretches[spring] = stretch);
         // The forces due to the stretches of a null vector should be in balance. Rounding of T and its factors leaves a small imbalance, which two
         // corrections remove.
         for _ in 0..2 {
             let mut back = vec![0.0; q.len()];
             springs.add(other, &stretches, &mut back);
             solve(&band.factors, &mut back);
-            springs.stretch(side, &mut back, |spring, stretch| stretches[spring] -= stretch);
+            springs.stretch(side, &mut back, &mut |spring, stretch| stretches[spring] -= stretch);
             q.iter_mut().zip(&back).for_each(|(q, back)| *q -= back);
         }
         let mut v = Vector::from_fn(Size::of(q.len()), |k| q[band.numbers[k]]);

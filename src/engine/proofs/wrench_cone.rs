@@ -23,7 +23,7 @@ use super::separating_many::{Residual, residual_of_many};
 use super::tolerances::{CLEAR_RESIDUAL, ESCAPE, LEAST_WORK, MOST_COORDINATES};
 use crate::contact::{Law, tangential, tangential_norm};
 use crate::grasp::Site;
-use crate::numerics::{IntoList, NearestPoint, Size, Vector, unit};
+use crate::numerics::{IntoList, NearestPoint, Reals, Size, Vector, unit};
 use crate::object::{Problem, uses_band};
 use crate::prelude::*;
 
@@ -181,7 +181,7 @@ pub(crate) fn separating_motion(problem: &Problem) -> Option<Vector> {
 fn squeeze(problem: &Problem) -> f64 {
     let pushed =
         |(site, offset): (&Site, &SVector<f64, 3>)| site.map.pushed_norm(&site.springs.force(offset));
-    problem.sites.iter().zip(&problem.offsets).map(pushed).sum()
+    problem.sites.iter().zip(&problem.offsets).map(pushed).added()
 }
 
 /// For every contact with a round cone, the generator (a unit wrench) that does the most negative work along a motion.
@@ -202,7 +202,7 @@ pub(crate) fn round_generators(problem: &Problem, v: &Vector) -> impl Iterator<I
 pub(crate) fn separates_from_here_on(problem: &Problem, motion: &Vector, rate: &Vector) -> bool {
     let Some(straight) = straight_generators(problem) else { return false };
     let all = straight.into_iter().chain(round_generators(problem, motion));
-    let negative_work = all.map(|g| g.works_against(motion)).fold(0.0, f64::max);
+    let negative_work = all.map(|g| g.works_against(motion)).most();
     // `counts_from_here_on` compares the work of two loads: the present load, and a load that has grown by `data` along the rate.
     let data = problem.wrench.norm() + squeeze(problem);
     let (here, gained) = (problem.wrench.dot(motion), rate.dot(motion) / rate.norm());

@@ -25,7 +25,7 @@ use nalgebra::SVector;
 
 use crate::contact::HullRay;
 use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
-use crate::numerics::{IntoList, NearestPoint, Vector, by_axis, mapped, numbered, summed};
+use crate::numerics::{IntoList, NearestPoint, Reals, Vector, by_axis, mapped, numbered, summed};
 use crate::object::{ForcesAndTwist, LinearProblem, Problem};
 use crate::prelude::*;
 use crate::proofs::{ESCAPE, LEAST_WORK};
@@ -240,7 +240,7 @@ impl BalanceEquation {
         let square: f64 = (0..3)
             .filter(|&a| root[a] > 0.0)
             .map(|a| (difference[a] / root[a]) * (difference[a] / root[a]))
-            .sum();
+            .added();
         square.sqrt() / self.unit
     }
 }

@@ -15,7 +15,7 @@ use crate::grasp::{ATMOSPHERE, Hold, Wrench};
 use crate::load_path::{Leg, Turn};
 use crate::need::pressure_of_cup;
 use crate::numerics::tolerances::NEGLIGIBLE;
-use crate::numerics::{IntoList, Space, chosen, every_index, largest, mapped, picked};
+use crate::numerics::{IntoList, Reals, Space, chosen, every_index, largest, mapped, picked};
 use crate::statics::Closure;
 
 impl Setup<3> {
@@ -50,7 +50,7 @@ impl Setup<3> {
             });
         }
         let stiffness = |i: usize| largest(entries[i].contact.series_stiffness_of_axes().as_slice(), &|k| *k);
-        let softest = (0..entries.len()).map(stiffness).fold(f64::INFINITY, f64::min);
+        let softest = (0..entries.len()).map(stiffness).least();
         let force = |i: usize| entries[i].contact.press.or(entries[i].contact.force).unwrap_or(0.0);
         // Contacts of steel have 1e8 to 1e9 N/m; 1e11 N/m is implausible. So is a contact ten million times as stiff as the softest one, because the
         // softest contact then carries no noticeable share of the load.

@@ -13,7 +13,7 @@ use super::whole_contact::WholeContacts;
 use super::wrench::Wrench;
 use crate::contact::State;
 use crate::error::{Error, LARGEST};
-use crate::numerics::{Size, Space, moved};
+use crate::numerics::{Reals, Size, Space, moved};
 use crate::prelude::*;
 
 /// A grasp with validated contacts. The coordinates of the grasp are the 3 or 6 coordinates of the object, then the coordinates of joints and of
@@ -131,7 +131,7 @@ impl Engine {
         let meant = || contacts.iter().enumerate().filter(|(i, _)| is_meant(*i)).map(|(_, contact)| contact);
         let count = meant().count().max(1) as f64;
         let origin = meant().fold(SVector::zeros(), |sum, c| sum + c.point / count);
-        let spread = meant().map(|c| (c.point - origin).norm_squared() / count).sum::<f64>().sqrt();
+        let spread = meant().map(|c| (c.point - origin).norm_squared() / count).added().sqrt();
         // If the contacts lie in a single point, they have no extent, and the unit of length is 1 m.
         let length = if spread * LARGEST > 1.0 { spread } else { 1.0 };
         let mut sites = Vec::with_capacity(contacts.len());

@@ -164,7 +164,7 @@ fn weakened(model: &Model<'_>, logs: &[f64], (weak, strong): (usize, usize), hal
     let mut begin = logs.to_vec();
     begin[strong] = high;
     begin[weak] = low;
-    for k in (0..begin.len()).filter(|k| *k != weak) {
+    for k in chosen(begin.len(), &|k| *k != weak) {
         // If a third parameter, of the same kind as `weak`, equals the smaller of the two values, it is doubled. Otherwise its contact would slip
         // together with the contact of `weak`.
         if (begin[k] - low).abs() <= INDISTINCT && unknowns[k].kind == unknowns[weak].kind {

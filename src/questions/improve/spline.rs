@@ -1,6 +1,6 @@
 //! A cubic spline through points with a continuous second derivative, so that its normals and curvatures have no jumps.
 
-use crate::numerics::{IntoList, by_axis};
+use crate::numerics::{IntoList, Reals, by_axis};
 use nalgebra::{DMatrix, SVector};
 
 use crate::prelude::*;
@@ -73,7 +73,7 @@ impl Spline {
 
     /// The least distance between consecutive points, m; zero for fewer than two points.
     pub(super) fn least_distance(&self) -> f64 {
-        let least = self.at.windows(2).map(|ends| ends[1] - ends[0]).fold(f64::INFINITY, f64::min);
+        let least = self.at.windows(2).map(|ends| ends[1] - ends[0]).least();
         if self.points.len() < 2 { 0.0 } else { least }
     }
 

@@ -19,7 +19,7 @@ use crate::grasp::{Engine, Site, WholeContact, Wrench};
 use crate::lcp::{self, quadratic_program};
 use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
 use crate::numerics::{
-    IntoList, any_index, chosen, indexed, largest, mapped, matrix_of, total, tried, vector_of,
+    IntoList, Reals, any_index, chosen, indexed, largest, mapped, matrix_of, total, tried, vector_of,
 };
 use crate::prelude::*;
 use crate::search::Settings;
@@ -123,7 +123,7 @@ impl Engine {
         for (((i, axis), _), size) in slips.iter().zip(&sizes) {
             residual_slips[*i][*axis] = *size;
         }
-        let most = multipliers.iter().copied().fold(0.0, f64::max);
+        let most = multipliers.iter().copied().most();
         let mut binding = Vec::new();
         for k in 0..=under.len() {
             let binds = |i: usize| {
@@ -171,7 +171,7 @@ impl Engine {
 /// The forces `forces`, with zero in place of each force that is only rounding. In some grasps, such as two opposite contacts, slips cause no contact
 /// forces. If rounding errors were kept, the linear program would scale them up until they balance loads.
 fn without_rounding(forces: &ContactForces) -> Vec<SVector<f64, 3>> {
-    let size = forces.sizes.iter().copied().fold(0.0, f64::max);
+    let size = forces.sizes.iter().copied().most();
     mapped(&forces.of, &|force| if force.norm() > SOLVED_ROUNDING * size { *force } else { SVector::zeros() })
 }
 
