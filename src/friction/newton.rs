@@ -6,7 +6,7 @@ use super::alart_curnier::answer;
 use super::problem::{FrictionProblem, part};
 use super::tolerances::UNDETERMINED_FORCE;
 use crate::numerics::tolerances::{FEW_ROUNDINGS, SOLVED_ROUNDING, SUFFICIENT_DECREASE};
-use crate::numerics::{Reals, dot, increasing, mapped, numbered, summed};
+use crate::numerics::{Reals, add_times, dot, increasing, mapped, numbered, summed};
 use crate::prelude::*;
 use nalgebra::{DMatrix, DVector, SMatrix};
 
@@ -133,9 +133,7 @@ fn least_squares(a: &DMatrix<f64>, mut b: DVector<f64>) -> DVector<f64> {
         let unit = mapped(&columns[j], &|x| x / length);
         let project = |vector: &mut [f64]| {
             let product = dot(&unit, vector);
-            for (x, y) in vector.iter_mut().zip(&unit) {
-                *x -= product * y;
-            }
+            add_times(vector, &unit, -product);
             product
         };
         for i in &open {

@@ -1,5 +1,6 @@
 //! A few linear equations that are solved once, in place, by elimination with exchanges of rows.
 
+use super::add_times;
 use super::tolerances::PARTIAL_PIVOT;
 
 /// Upper limit of the number of unknowns that [`solved`] can find.
@@ -34,7 +35,7 @@ pub(crate) fn solved(equations: &mut [Equation]) -> Option<[f64; MOST_UNKNOWNS]>
         let (top, reciprocal) = (&above[k], 1.0 / above[k][k]);
         for equation in below {
             let part = equation[k] * reciprocal;
-            equation.iter_mut().zip(top).for_each(|(x, top)| *x -= part * top);
+            add_times(equation, top, -part);
         }
     }
     let mut solution = [0.0; MOST_UNKNOWNS];

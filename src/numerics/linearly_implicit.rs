@@ -10,6 +10,7 @@
 //!
 //! Source: Hairer and Wanner, Solving Ordinary Differential Equations II, second edition, section IV.9.
 
+use super::add_times;
 use super::dormand_prince::Stepped;
 use crate::numerics::IntoList;
 use crate::prelude::*;
@@ -45,9 +46,7 @@ pub(crate) fn implicit_step<F: Fn(&mut [f64])>(
                 *x *= part;
             }
             solve(&mut change);
-            for (y, change) in y.iter_mut().zip(&change) {
-                *y += change;
-            }
+            add_times(&mut y, &change, 1.0);
         }
         let mut row = vec![y.clone()];
         for k in 1..j {

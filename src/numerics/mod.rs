@@ -39,10 +39,12 @@
 //! | `pseudo_random` | reproducible pseudorandom numbers |
 //! | `square_root` | the square root of std under another name |
 //! | `mapped` | lists, sums and extremes over lists or index ranges |
+//! | `add_times` | sums and products of lists, in place |
 //! | `cleared_for` | emptying of lists before they are filled again |
 //! | `memory` | scratch buffers that one question leaves for the next |
 //! | `without_std` | replacements for std where it is missing |
 
+mod add_times;
 mod band;
 mod bordered;
 mod bordered_band;
@@ -91,6 +93,7 @@ mod vector_dispatch;
 #[cfg(any(test, not(feature = "std")))]
 mod without_std;
 
+pub(crate) use add_times::{add_times, scale_each};
 pub(crate) use band::{Band, BandFactors};
 pub(crate) use bordered::{Bordered, solved_once};
 pub(crate) use bordered_band::BorderedBand;

@@ -33,7 +33,8 @@ use crate::equilibrium::{CountedMotion, farthest};
 use crate::grasp::{Engine, Hold, Site};
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::numerics::{
-    Equation, MOST_UNKNOWNS, Reals, Vector, any_index, cleared_for, largest, numbered, solved, summed,
+    Equation, MOST_UNKNOWNS, Reals, Vector, add_times, any_index, cleared_for, largest, numbered, solved,
+    summed,
 };
 use crate::prelude::*;
 use crate::search::Settings;
@@ -284,9 +285,7 @@ impl Slips<'_> {
         let most = largest.max((&base + &rate * at[1]).norm());
         let beyond = at[1] + a_little(self.grasp.sites(), &change, rate.clone(), most);
         problem.wrench = base + rate * beyond;
-        for (offset, change) in problem.offsets.iter_mut().zip(&change) {
-            *offset += change * beyond;
-        }
+        add_times(&mut problem.offsets, &change, beyond);
         for (i, slip) in self.sliding.iter().zip(at[2..].chunks_exact(2)) {
             let slip = SVector::from([0.0, slip[0], slip[1]]);
             problem.slips[*i] += slip;

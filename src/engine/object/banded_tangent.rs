@@ -13,8 +13,8 @@
 //! twice the working precision restores the digits, or shows that it cannot.
 
 use crate::numerics::{
-    Band, BandFactors, Reals, Size, Vector, dot, generic, mapped, moved, narrow_order, numbered, summed,
-    widest,
+    Band, BandFactors, Reals, Size, Vector, dot, generic, mapped, moved, narrow_order, numbered, scale_each,
+    summed, widest,
 };
 
 use core::ops::Range;
@@ -163,9 +163,9 @@ impl BandedTangent {
         self.springs.of(contact, |k, coordinates, range| {
             coordinates.iter().zip(&pushes.rows[range]).for_each(|(i, b)| q[*i] += b * forces[k]);
         });
-        q.iter_mut().zip(&pushes.units).for_each(|(q, unit)| *q *= unit);
+        scale_each(&mut q, &pushes.units);
         self.factors.solve(&mut q);
-        q.iter_mut().zip(&self.stretches.units).for_each(|(q, unit)| *q *= unit);
+        scale_each(&mut q, &self.stretches.units);
         q
     }
 
@@ -270,13 +270,13 @@ impl SpringLists {
         self.for_each(|spring, coordinates, range| {
             coordinates.iter().zip(&side.rows[range]).for_each(|(k, b)| q[*k] += b * x[spring]);
         });
-        q.iter_mut().zip(&side.units).for_each(|(q, unit)| *q *= unit);
+        scale_each(q, &side.units);
     }
 
     /// Multiplies each entry of the motion q by the factor that scales its column of the matrix A or B in `side` to length one. Then calls
     /// `visit(spring, stretch)` for every spring with its scaled stretch, an entry of A q or B q.
     pub(super) fn stretch(&self, side: &SpringRows, q: &mut [f64], visit: &mut dyn FnMut(usize, f64)) {
-        q.iter_mut().zip(&side.units).for_each(|(q, unit)| *q *= unit);
+        scale_each(q, &side.units);
         self.for_each(|spring, coordinates, range| {
             let mut stretch = -0.0;
             for (k, a) in coordinates.iter().zip(&side.rows[range]) {

@@ -14,7 +14,7 @@ use super::banded_tangent::{BandedTangent, SpringRows};
 use super::tolerances::NO_WORK;
 use crate::numerics::tolerances::LINEARLY_DEPENDENT;
 use crate::numerics::{
-    BandFactors, IntoList, Singular, Size, Vector, dot, matrix_of, orthonormalise_against,
+    BandFactors, IntoList, Singular, Size, Vector, add_times, dot, matrix_of, orthonormalise_against,
 };
 use crate::prelude::*;
 
@@ -124,7 +124,7 @@ fn sorted_null_vectors(
             springs.add(other, &stretches, &mut back);
             solve(&band.factors, &mut back);
             springs.stretch(side, &mut back, &mut |spring, stretch| stretches[spring] -= stretch);
-            q.iter_mut().zip(&back).for_each(|(q, back)| *q -= back);
+            add_times(&mut q, &back, -1.0);
         }
         let mut v = Vector::from_fn(Size::of(q.len()), |k| q[band.numbers[k]]);
         // Gram–Schmidt orthogonalisation against the null vectors found so far; the second pass removes the rounding of the first.
@@ -132,7 +132,7 @@ fn sorted_null_vectors(
             for (known, of_known) in &found {
                 let along = v.dot(known);
                 v -= known * along;
-                stretches.iter_mut().zip(of_known).for_each(|(x, known)| *x -= known * along);
+                add_times(&mut stretches, of_known, -along);
             }
             let unit = 1.0 / v.norm();
             v *= unit;
@@ -150,7 +150,7 @@ fn sorted_null_vectors(
         let mut stretches = vec![0.0; springs.counts.iter().sum()];
         for ((known, of_known), part) in found.iter().zip(axis.iter()) {
             v += known * *part;
-            stretches.iter_mut().zip(of_known).for_each(|(x, known)| *x += known * part);
+            add_times(&mut stretches, of_known, *part);
         }
         let length = dot(&stretches, &stretches).sqrt();
         // A unit motion is free if it hardly stretches any spring. The norm of the scaled stretches is then at most 1e-11 of the largest scaled

@@ -25,7 +25,7 @@ use nalgebra::SVector;
 
 use crate::contact::HullRay;
 use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
-use crate::numerics::{IntoList, NearestPoint, Reals, Vector, by_axis, mapped, numbered, summed};
+use crate::numerics::{IntoList, NearestPoint, Reals, Vector, add_times, by_axis, mapped, numbered, summed};
 use crate::object::{ForcesAndTwist, LinearProblem, Problem};
 use crate::prelude::*;
 use crate::proofs::{ESCAPE, LEAST_WORK};
@@ -101,8 +101,7 @@ impl BalanceEquation {
         for a in 0..3 {
             let (row, jump) = (3 * contact + a, ray.force[a] - ray.stretch[a]);
             if jump != 0.0 {
-                let p = &self.projector[size * row..][..size];
-                column.iter_mut().zip(p).for_each(|(x, p)| *x += jump * p);
+                add_times(column, &self.projector[size * row..][..size], jump);
             }
             column[row] += ray.stretch[a];
         }
@@ -114,7 +113,7 @@ impl BalanceEquation {
         projected.clear();
         projected.resize(size, 0.0);
         for (column, y) in self.projector.chunks_exact(size).zip(y) {
-            projected.iter_mut().zip(column).for_each(|(x, p)| *x += p * y);
+            add_times(projected, column, *y);
         }
     }
 
