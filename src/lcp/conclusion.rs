@@ -55,9 +55,10 @@ impl Workspace {
         // A basic z_j that is zero in exact arithmetic is computed as noise. It is set to zero if that does not increase the residuals beyond
         // rounding.
         if any_index(n, &|j| self.vanishing[j] && self.point.z[j] > 0.0) {
-            let kept = self.point.z.iter().zip(&self.vanishing).map(|(z, out)| if *out { 0.0 } else { *z });
+            let mut kept =
+                self.point.z.iter().zip(&self.vanishing).map(|(z, out)| if *out { 0.0 } else { *z });
             self.candidate.z.clear();
-            self.candidate.z.extend(kept);
+            kept.append_to(&mut self.candidate.z);
             let free_of_charge = residuals.max().max(residual_rounding(n));
             self.take_spare(lcp, &mut residuals, |cut| cut <= free_of_charge);
         }
@@ -152,7 +153,7 @@ impl Workspace {
     fn correct_values(&mut self) {
         let path = &mut self.path;
         self.defect.clear();
-        self.defect.extend(self.point.w.iter().zip(&path.scaling.row).map(|(w, row)| w * row));
+        self.point.w.iter().zip(&path.scaling.row).map(|(w, row)| w * row).append_to(&mut self.defect);
         for (i, defect) in self.defect.iter_mut().enumerate() {
             if !path.dictionary.is_active(i) {
                 *defect = 0.0;

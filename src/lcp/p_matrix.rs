@@ -33,7 +33,7 @@ impl Lcp {
         if is_positive_definite(m) || every_index(n, &dominant) {
             return Some(true);
         }
-        if every_index(n * n, &|entry| entry % n == entry / n || m[(entry % n, entry / n)] <= 0.0) {
+        if every_index(n, &|j| every_index(n, &|i| i == j || m[(i, j)] <= 0.0)) {
             // A matrix without positive entries off its diagonal is a P-matrix exactly if all pivots of an elimination without exchanges are
             // positive (Cottle, Pang & Stone, theorem 3.11.10).
             let mut a = m.clone();

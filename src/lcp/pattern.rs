@@ -35,8 +35,7 @@ impl<'a> Pattern<'a> {
 
     /// Calls `visit` for each column of [M, q] that has nonzero entries: with the column's index (counted from 0; n for q), the number of its nonzero
     /// entries, and the column.
-    #[inline]
-    pub(super) fn for_each(&self, counts: &[f64], mut visit: impl FnMut(usize, f64, &Column)) {
+    pub(super) fn for_each(&self, counts: &[f64], visit: &mut dyn FnMut(usize, f64, &Column)) {
         match self {
             Self::Listed(list) => {
                 let mut rest = *list;

@@ -70,8 +70,8 @@ impl Engine {
         // A slack link has no tension, whatever its command. Its gap times its stiffness is then added to the missing tension (given minus present
         // tension). The missing tension thus depends on the command, as Newton's method needs.
         let slack = |i: usize| state.contacts[i].gap.max(0.0) * self.contacts()[i].stiffness.series()[0];
-        let each = pressed.iter().map(|(i, force)| force - state.contacts[*i].normal_force() + slack(*i));
-        Ok(DVector::from_iterator(pressed.len(), each))
+        let each = |(i, force): &(usize, f64)| force - state.contacts[*i].normal_force() + slack(*i);
+        Ok(DVector::from_vec(mapped(pressed, &each)))
     }
 
     fn not_held(&self, contact: usize, force: f64) -> Error {

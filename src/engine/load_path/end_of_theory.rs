@@ -7,6 +7,7 @@ use super::path::LoadPath;
 use super::small_motions::EndOfSmallMotions;
 use crate::equilibrium::TooFar;
 use crate::grasp::Wrench;
+use crate::numerics::IntoList;
 use crate::numerics::tolerances::NEGLIGIBLE;
 
 impl<const C: usize> LoadPath<'_, C> {
@@ -54,7 +55,7 @@ fn unstable_from<const C: usize>(
     for leg in 0..=end.0 {
         let to = if leg == end.0 { end.1 } else { 1.0 };
         let parts = if turns(leg, to) { PARTS_OF_A_TURN } else { 1 };
-        places.extend((1..=parts).map(|k| (leg, to * f64::from(k) / f64::from(parts))));
+        (1..=parts).map(|k| (leg, to * f64::from(k) / f64::from(parts))).append_to(&mut places);
     }
     places.dedup();
     let unstable = |place: &(usize, f64)| {

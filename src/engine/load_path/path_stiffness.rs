@@ -150,9 +150,11 @@ impl PathStiffness {
                 // The factorisation of the bordered band matrix fails if the band matrix alone is singular, as at a maximum of the load. The bordered
                 // matrix is then factorised as a full matrix.
                 let mut square = Square::zeros(size);
-                let entry = |(i, j): (usize, usize)| band.entry(order.numbers[i], order.numbers[j]);
-                let places = (0..size.count()).flat_map(|j| (0..size.count()).map(move |i| (i, j)));
-                places.for_each(|place| square[place] = entry(place));
+                for (j, column) in order.numbers.iter().enumerate() {
+                    for (i, row) in order.numbers.iter().enumerate() {
+                        square[(i, j)] = band.entry(*row, *column);
+                    }
+                }
                 square
             }
         };

@@ -261,7 +261,7 @@ impl<'g> Segment<'g> {
     /// `offsets`.
     pub(super) fn offsets_into(&self, factor: f64, offsets: &mut Vec<SVector<f64, 3>>) {
         cleared_for(offsets, self.change.len());
-        offsets.extend(self.problem.offsets.iter().zip(&self.change).map(|(a, da)| a + da * factor));
+        self.problem.offsets.iter().zip(&self.change).map(|(a, da)| a + da * factor).append_to(offsets);
     }
 
     /// This segment with commands and load held constant at their values at the load factor `factor`, so that all their rates are zero.

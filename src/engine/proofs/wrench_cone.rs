@@ -135,7 +135,7 @@ impl<'p, 'g> LoadAndCones<'p, 'g> {
     /// load from all admissible forces, clearly beyond rounding ([`Self::is_proof`]).
     fn separating_motion(&self) -> Option<Vector> {
         let target = -&self.problem.wrench / self.load;
-        let round = |v: &Vector| round_generators(self.problem, v).list();
+        let round = |v: &Vector| round_generators(self.problem, v);
         let NearestForces { motion: v, .. } =
             nearest_forces(self.problem.size(), &self.straight, &round, &target);
         self.is_proof(&v).then(|| v.normalize())
@@ -146,8 +146,9 @@ impl<'p, 'g> LoadAndCones<'p, 'g> {
     /// of at least [`ESCAPE`] times load and commands.
     fn is_proof(&self, v: &Vector) -> bool {
         let mut negative_work = 0.0_f64;
-        self.straight.iter().for_each(|g| negative_work = negative_work.max(g.works_against(v)));
-        round_generators(self.problem, v).for_each(|g| negative_work = negative_work.max(g.works_against(v)));
+        for generator in self.straight.iter().chain(&round_generators(self.problem, v)) {
+            negative_work = negative_work.max(generator.works_against(v));
+        }
         let (distance, works) = (v.norm(), self.problem.wrench.dot(v) / self.load);
         let escape = works * self.load / negative_work.max(LEAST_WORK * distance);
         distance > CLEAR_RESIDUAL && escape >= ESCAPE * self.data
@@ -185,14 +186,17 @@ fn squeeze(problem: &Problem) -> f64 {
 }
 
 /// For every contact with a round cone, the generator (a unit wrench) that does the most negative work along a motion.
-pub(crate) fn round_generators(problem: &Problem, v: &Vector) -> impl Iterator<Item = Generator> {
-    let contacts = problem.locals().zip(problem.sites).enumerate();
-    contacts.filter(|(_, (local, _))| local.is_round()).map(move |(contact, (local, site))| {
-        let u = site.map.tr_mul(v);
-        let length = tangential_norm(&u);
-        let along = if length > 0.0 { -tangential(&u) / length } else { unit(1) };
-        Generator::along(contact, site, local.cone().generator(&along))
-    })
+pub(crate) fn round_generators(problem: &Problem, v: &Vector) -> Vec<Generator> {
+    let mut generators = Vec::new();
+    for (contact, (local, site)) in problem.locals().zip(problem.sites).enumerate() {
+        if local.is_round() {
+            let u = site.map.tr_mul(v);
+            let length = tangential_norm(&u);
+            let along = if length > 0.0 { -tangential(&u) / length } else { unit(1) };
+            generators.push(Generator::along(contact, site, local.cone().generator(&along)));
+        }
+    }
+    generators
 }
 
 /// Whether a unit motion proves that no contact forces balance the load of `problem` once it grows in the direction `rate`.

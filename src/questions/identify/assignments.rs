@@ -278,7 +278,7 @@ fn united(mut answer: Identified, others: &[Identified]) -> Identified {
         return answer;
     }
     let mut all = vec![answer.estimates.clone()];
-    all.extend(others.iter().map(|other| other.estimates.clone()));
+    others.iter().map(|other| other.estimates.clone()).append_to(&mut all);
     for (j, estimate) in answer.estimates.iter_mut().enumerate() {
         if !all.iter().all(|other| is_alike(&all[0][j], &other[j])) {
             estimate.is_fixed = false;

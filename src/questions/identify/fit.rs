@@ -12,7 +12,7 @@ use super::tolerances::{CONVERGED_GAIN, CONVERGED_STEP, INDISTINCT};
 use super::unknown::UnknownKind;
 use crate::error::Error;
 use crate::numerics::{
-    IntoList, Reals, Singular, counted, every_index, mapped, matrix_of, two_sided, vector_of,
+    IntoList, Reals, Singular, chosen, counted, every_index, highest, mapped, matrix_of, two_sided, vector_of,
 };
 use crate::prelude::*;
 
@@ -173,8 +173,8 @@ fn off_the_plateau(model: &Model<'_>, fit: &Fitted) -> Result<Option<(Vec<f64>, 
         every_index(changes.len(), &|j| !changes[j] || linear.jacobian[(k, j)] == 0.0)
     };
     let off = |k: &usize| here.residuals[*k].abs();
-    let flat = (0..model.asked.slips.len()).filter(|k| off(k) > INDISTINCT && is_flat(here, *k));
-    let Some(slip) = flat.max_by(|a, b| off(a).total_cmp(&off(b))) else { return Ok(None) };
+    let flat = chosen(model.asked.slips.len(), &|k| off(k) > INDISTINCT && is_flat(here, *k));
+    let Some(&slip) = highest(&flat, &off) else { return Ok(None) };
     let mut logs = fit.logs.clone();
     for _ in 0..if changes.contains(&true) { 12 } else { 0 } {
         for (log, _) in logs.iter_mut().zip(&changes).filter(|(_, changes)| **changes) {

@@ -12,7 +12,7 @@ use crate::contact::Mode;
 use crate::equilibrium::{Cone, Parameter, StickingResponse};
 use crate::error::Error;
 use crate::grasp::Wrench;
-use crate::numerics::{Vector, all_some, chosen, indexed, numbered, unit};
+use crate::numerics::{IntoList, Vector, add_times, all_some, chosen, indexed, numbered, unit};
 use crate::object::ForcesAndTwist;
 use crate::prelude::*;
 
@@ -82,7 +82,7 @@ impl StickingForces {
             response.state(&squeeze, &Vector::zeros()),
         ];
         let under = |load| response.state(&response.at_rest(), &engine.inside_unchecked(load));
-        sources.extend(loads.iter().map(under));
+        loads.iter().map(under).append_to(&mut sources);
         let Some(sources) = all_some(sources.into_iter()) else { return Ok(None) };
         let closing = indexed(&sources, &|(source, state): (usize, &ForcesAndTwist)| {
             let closing = |contact: usize| {
@@ -191,7 +191,7 @@ impl StickingForces {
             }
             for (parameter, times) in data.iter().filter(|(_, times)| *times != 0.0) {
                 let by = response.derivative(state, *parameter)?;
-                sum.iter_mut().zip(by.forces).for_each(|(sum, force)| *sum += force * *times);
+                add_times(sum, &by.forces, *times);
                 for i in chosen(self.open.len(), &|i| self.open[*i]) {
                     let stretch =
                         response.normal_stretch_derivative(i, &state.twist, &by.twist, *parameter)?;

@@ -7,7 +7,7 @@
 //! with coefficients c_j for j from 0 to m - 1. If the differences die out, the cycle states converge to
 //! `(e_{n+m+1} - Σ c_j e_{n+j+1}) / (1 - Σ c_j)` (minimal polynomial extrapolation).
 
-use crate::numerics::{Singular, matrix_of, numbered};
+use crate::numerics::{IntoList, Singular, matrix_of, numbered};
 use nalgebra::{DMatrix, DVector};
 
 use super::cycle::CycleUnits;
@@ -74,7 +74,7 @@ impl<'p> Recurrence<'p> {
         // `changes` are differences of two cycle states. Each coefficient becomes the weight of the later of the two, so the first cycle state has
         // weight zero.
         let mut weights = vec![0.0];
-        weights.extend(self.coefficients.iter().map(|c| -c / rest));
+        self.coefficients.iter().map(|c| -c / rest).append_to(&mut weights);
         weights.push(1.0 / rest);
         Some(self.combination(&weights))
     }

@@ -133,7 +133,7 @@ impl Engine {
                 program.of.iter().zip(&multipliers).any(of)
             };
             let of = self.wholes().with(&binds).into_iter();
-            binding.extend(of.map(|contact| BindingContact { load: k.checked_sub(1), contact }));
+            of.map(|contact| BindingContact { load: k.checked_sub(1), contact }).append_to(&mut binding);
         }
         let slips_change_normal_forces = normal > SOLVED_ROUNDING * all;
         let around_the_round_cone = settings.is_round(self.space());
@@ -210,9 +210,9 @@ impl Program {
                     of.push((k, i));
                     b.push(row.dot(&rest[i]) / force);
                     a.push(if k == 0 { 0.0 } else { row.dot(&under[k - 1][i]) * unit / force });
-                    rows.extend(
-                        slips.iter().zip(&units).map(|(forces, unit)| row.dot(&forces[i]) * unit / force),
-                    );
+                    for (forces, unit) in slips.iter().zip(&units) {
+                        rows.push(row.dot(&forces[i]) * unit / force);
+                    }
                 }
             }
         }

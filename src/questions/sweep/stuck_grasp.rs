@@ -214,7 +214,7 @@ impl StuckGrasp {
         changes: &'m mut Vec<Effect>,
     ) -> UncertainForce<'m> {
         changes.clear();
-        changes.extend(self.base.off.iter().map(|of_datum| of_datum[i]));
+        self.base.off.iter().map(|of_datum| of_datum[i]).append_to(changes);
         let (mut force, mut of_load) = (self.base.known[i], self.by_base_load.known[i]);
         if let Some(AddedLoad { rate, factor, .. }) = more {
             for (change, of_datum) in changes.iter_mut().zip(&rate.off) {

@@ -75,7 +75,7 @@ impl Assembly {
         let joints = &finger.joints[..link];
         let corners: Vec<_> =
             joints.iter().filter_map(|joint| joint.motion.centre()).chain([contact.point]).list();
-        self.bones.extend(corners.windows(2).map(|pair| [pair[0], pair[1]]));
+        corners.windows(2).map(|pair| [pair[0], pair[1]]).append_to(&mut self.bones);
         let mut columns = Columns::new();
         for (j, joint) in joints.iter().enumerate() {
             let label = || self.label(first + j);
