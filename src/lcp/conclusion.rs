@@ -11,7 +11,7 @@ use super::residuals::{Residuals, ignores_q};
 use super::settings::Settings;
 use super::tolerances::{SOUND_RESIDUAL, ZERO_VALUE, residual_rounding};
 use super::workspace::Workspace;
-use crate::numerics::{IntoList, any_index};
+use crate::numerics::{IntoList, add_times, any_index};
 use crate::prelude::*;
 
 impl Workspace {
@@ -161,9 +161,7 @@ impl Workspace {
         }
         refill(&mut self.correction, self.defect.len(), 0.0);
         path.dictionary.effect(&self.defect, &mut self.correction);
-        for (x, c) in path.dictionary.x.iter_mut().zip(&self.correction) {
-            *x += c;
-        }
+        add_times(&mut path.dictionary.x, &self.correction, 1.0);
     }
 
     /// Sets to zero, and removes from the basis, each basic z_i whose w_i exceeds the residual tolerance relative to the terms of w_i. If all

@@ -9,6 +9,13 @@ pub(crate) fn add_times<T: AddAssign + Copy + Mul<f64, Output = T>>(to: &mut [T]
     }
 }
 
+/// Multiplies each entry of `list` by `factor`.
+pub(crate) fn scale(list: &mut [f64], factor: f64) {
+    for entry in list {
+        *entry *= factor;
+    }
+}
+
 /// Multiplies each entry of `list` by the factor at the same place.
 pub(crate) fn scale_each(list: &mut [f64], factors: &[f64]) {
     for (entry, factor) in list.iter_mut().zip(factors) {

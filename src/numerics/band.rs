@@ -3,7 +3,7 @@
 //! With entries up to b positions from the diagonal, row exchanges fill up to 2b positions to the right. LU factors of n rows cost 2 n b²
 //! multiplications in place of n³/3. The solution for one right-hand side costs 3 n b in place of n².
 
-use super::add_times;
+use super::add_times::{add_times, scale};
 use super::tolerances::BAND_PIVOT;
 use crate::numerics::{dot, mapped};
 use crate::prelude::*;
@@ -90,7 +90,7 @@ impl Band {
             last = last.max((k + pivot + half_bandwidth).min(count - 1));
             column.swap(0, pivot);
             let reciprocal = 1.0 / column[0];
-            column[1..].iter_mut().for_each(|x| *x *= reciprocal);
+            scale(&mut column[1..], reciprocal);
             let column = &column[1..];
             for (j, other) in (k + 1..=last).zip(behind.chunks_exact_mut(height)) {
                 let other = &mut other[2 * half_bandwidth + k - j..][..=below];

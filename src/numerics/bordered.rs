@@ -9,7 +9,7 @@
 //! T is the stiffness of the object's balance for motions y, and c the column of the load factor z. The row gᵀ and the corner γ are the coefficients
 //! of the arclength. T alone becomes singular at a fold of the path (a maximum of the load factor), where the bordered matrix is regular.
 
-use super::add_times;
+use super::add_times::add_times;
 use super::coordinates::{Indices, Square, Vector};
 
 /// LU factors with partial pivoting of a bordered matrix: d rows of the balance matrix T, then the border row.

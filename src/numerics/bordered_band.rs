@@ -9,7 +9,7 @@
 //! If T is nearly singular these formulas lose digits, which iterative refinement restores (W. Govaerts, Stable solvers and block elimination for
 //! bordered systems, SIAM J. Matrix Anal. Appl. 12, 1991). If T is singular, the caller factorises the whole bordered matrix.
 
-use super::add_times;
+use super::add_times::add_times;
 use super::band::{Band, BandFactors};
 use crate::numerics::dot;
 use crate::prelude::*;

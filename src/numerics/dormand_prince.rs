@@ -10,7 +10,7 @@
 //!
 //! Source: the method DOP853 of Hairer, Nørsett and Wanner, Solving Ordinary Differential Equations I, second edition, section II.10.
 
-use super::add_times;
+use super::add_times::add_times;
 use crate::prelude::*;
 
 /// A weighted sum of stages, as pairs of stage index and coefficient.

@@ -93,7 +93,7 @@ mod vector_dispatch;
 #[cfg(any(test, not(feature = "std")))]
 mod without_std;
 
-pub(crate) use add_times::{add_times, scale_each};
+pub(crate) use add_times::{add_times, scale, scale_each};
 pub(crate) use band::{Band, BandFactors};
 pub(crate) use bordered::{Bordered, solved_once};
 pub(crate) use bordered_band::BorderedBand;

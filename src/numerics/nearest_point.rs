@@ -10,8 +10,9 @@
 //! At the closest point the residual `r = t - Σ s_k a_k` has `a·r <= 0` for every generator a, and `t·r = |r|²`. A nonzero r separates t from
 //! the cone.
 
+use super::add_times::add_times;
+use super::mapped::{chosen, lowest};
 use super::tolerances::LINEARLY_DEPENDENT;
-use super::{add_times, chosen, lowest};
 use crate::prelude::*;
 
 /// The closest point of the cone to the target so far: the active generators, each identified by a tag, and their coefficients s.

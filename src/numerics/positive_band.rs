@@ -2,7 +2,7 @@
 //!
 //! With entries up to b positions from the diagonal, n rows cost ½ n b² multiplications, a quarter of the cost for an unsymmetric band.
 
-use super::add_times;
+use super::add_times::add_times;
 use super::tolerances::POSITIVE_PIVOT;
 use crate::numerics::{IntoList, dot};
 use crate::prelude::*;

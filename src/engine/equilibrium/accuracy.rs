@@ -8,7 +8,7 @@ use super::answer::{Equilibrium, LocalAnswer};
 use super::cone::Cone;
 use crate::contact::State;
 use crate::grasp::{Engine, Wrench};
-use crate::numerics::{Draw, IntoList, Reals, Vector};
+use crate::numerics::{Draw, IntoList, Reals, Vector, add_times};
 use crate::object::{ForcesAndTwist, LinearProblem, Load, PreciseTwist, Problem};
 use crate::prelude::*;
 use crate::search::FoundBy;
@@ -69,9 +69,7 @@ impl Engine {
         let varied = |pattern| {
             let variation = Variation::new(self, &equilibrium.load, &problem, &states, &at, pattern);
             let mut forces = linear_problem.forces_of(&variation.stretches, &variation.load);
-            for (force, friction_change) in forces.iter_mut().zip(&variation.friction_changes) {
-                *force += friction_change;
-            }
+            add_times(&mut forces, &variation.friction_changes, 1.0);
             size(&forces)
         };
         // All given numbers of grasp, commands and load are varied together, three times, each time with another pattern of signs.

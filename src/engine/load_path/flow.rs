@@ -130,10 +130,7 @@ impl<'s, 'g> Flow<'s, 'g> {
         let forces = mapped(&point.lines, &|line| line.force.norm());
         let force =
             largest_force(sites, &offsets, &point.twist, load, forces.into_iter()).max(segment.largest);
-        let mut span = 0.0_f64;
-        for (site, a) in sites.iter().zip(&offsets) {
-            span = span.max(site.span(a, &point.twist));
-        }
+        let span = sites.iter().zip(&offsets).map(|(site, a)| site.span(a, &point.twist)).most();
         let sizes = [force, span];
         // Along motions that no spring resists, the balance of forces does not determine the velocity of the object. The object keeps its present
         // velocity along them.

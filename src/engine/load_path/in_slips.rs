@@ -33,8 +33,8 @@ use crate::equilibrium::{CountedMotion, farthest};
 use crate::grasp::{Engine, Hold, Site};
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::numerics::{
-    Equation, MOST_UNKNOWNS, Reals, Vector, add_times, any_index, cleared_for, largest, numbered, solved,
-    summed,
+    Equation, MOST_UNKNOWNS, Reals, Vector, add_times, any_index, cleared_for, largest, numbered, scale,
+    solved, summed,
 };
 use crate::prelude::*;
 use crate::search::Settings;
@@ -217,9 +217,7 @@ impl Slips<'_> {
         if slips.iter().all(|slip| *slip > 0.0) {
             // The unit of slip is chosen so that slips and load factor have equal weight in the arclength at the start of sliding.
             self.unit = summed(slips, &|slip| slip * slip).sqrt();
-            for rate in rates.iter_mut() {
-                *rate *= core::f64::consts::FRAC_1_SQRT_2;
-            }
+            scale(rates, core::f64::consts::FRAC_1_SQRT_2);
             return Some(SlipEnd::Held);
         }
         // The path may instead continue so that only some of the contacts in `sliding` slip. Bit i of `combination`, from 0, is set if the contact

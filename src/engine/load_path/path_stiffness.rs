@@ -4,7 +4,8 @@
 //! if there are many coordinates.
 
 use crate::numerics::{
-    Band, Bordered, BorderedBand, Each, Size, Square, Vector, mapped, narrow_order, solved_once, widest,
+    Band, Bordered, BorderedBand, Each, Size, Square, Vector, mapped, narrow_order, scale, solved_once,
+    widest,
 };
 use alloc::sync::Arc;
 use core::ops::Range;
@@ -94,9 +95,7 @@ impl PathStiffness {
             Self::Whole(square) => square.as_mut_slice(),
             Self::Narrow { band, .. } => band.entries_mut(),
         };
-        for x in entries {
-            *x *= factor;
-        }
+        scale(entries, factor);
     }
 
     pub(super) fn amax(&self) -> f64 {

@@ -13,8 +13,8 @@
 //! twice the working precision restores the digits, or shows that it cannot.
 
 use crate::numerics::{
-    Band, BandFactors, Reals, Size, Vector, dot, generic, mapped, moved, narrow_order, numbered, scale_each,
-    summed, widest,
+    Band, BandFactors, IntoList, Reals, Size, Vector, dot, generic, mapped, moved, narrow_order, numbered,
+    scale_each, summed, widest,
 };
 
 use core::ops::Range;
@@ -101,9 +101,7 @@ impl BandedTangent {
             for ((site, ranges), ends) in sites.iter().zip(&couplings).zip(first_springs.windows(2)) {
                 for spring in &springs[ends[0]..ends[1]] {
                     for range in ranges {
-                        for k in range.clone() {
-                            rows.push(site.map.row(k).dot(of(spring)));
-                        }
+                        range.clone().map(|k| site.map.row(k).dot(of(spring))).append_to(&mut rows);
                     }
                 }
             }
@@ -161,7 +159,7 @@ impl BandedTangent {
         let pushes = self.pushes.as_ref().unwrap_or(&self.stretches);
         let mut q = vec![0.0; self.numbers.len()];
         self.springs.of(contact, |k, coordinates, range| {
-            coordinates.iter().zip(&pushes.rows[range]).for_each(|(i, b)| q[*i] += b * forces[k]);
+            add_row(&mut q, coordinates, &pushes.rows[range], forces[k]);
         });
         scale_each(&mut q, &pushes.units);
         self.factors.solve(&mut q);
@@ -174,12 +172,7 @@ impl BandedTangent {
     pub(super) fn weighted_stretch(&self, contact: usize, times: &[f64], displacements: &[f64]) -> f64 {
         let mut sum = 0.0;
         self.springs.of(contact, |k, coordinates, range| {
-            let stretch: f64 = coordinates
-                .iter()
-                .zip(&self.stretches.rows[range])
-                .map(|(j, a)| a * displacements[*j])
-                .added();
-            sum += times[k] * stretch;
+            sum += times[k] * row_times(coordinates, &self.stretches.rows[range], displacements);
         });
         sum
     }
@@ -268,7 +261,7 @@ impl SpringLists {
     /// factor that scales its column of the matrix to length one.
     pub(super) fn add(&self, side: &SpringRows, x: &[f64], q: &mut [f64]) {
         self.for_each(|spring, coordinates, range| {
-            coordinates.iter().zip(&side.rows[range]).for_each(|(k, b)| q[*k] += b * x[spring]);
+            add_row(q, coordinates, &side.rows[range], x[spring]);
         });
         scale_each(q, &side.units);
     }
@@ -278,11 +271,19 @@ impl SpringLists {
     pub(super) fn stretch(&self, side: &SpringRows, q: &mut [f64], visit: &mut dyn FnMut(usize, f64)) {
         scale_each(q, &side.units);
         self.for_each(|spring, coordinates, range| {
-            let mut stretch = -0.0;
-            for (k, a) in coordinates.iter().zip(&side.rows[range]) {
-                stretch += a * q[*k];
-            }
-            visit(spring, stretch);
+            visit(spring, row_times(coordinates, &side.rows[range], q));
         });
+    }
+}
+
+/// The product of a row of the matrix A or B with q. `coordinates` has the position in q of each entry of the row.
+fn row_times(coordinates: &[usize], row: &[f64], q: &[f64]) -> f64 {
+    coordinates.iter().zip(row).map(|(k, a)| a * q[*k]).added()
+}
+
+/// Adds a row of the matrix A or B, multiplied by `times`, to q. `coordinates` has the position in q of each entry of the row.
+fn add_row(q: &mut [f64], coordinates: &[usize], row: &[f64], times: f64) {
+    for (k, a) in coordinates.iter().zip(row) {
+        q[*k] += a * times;
     }
 }

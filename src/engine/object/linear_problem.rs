@@ -81,9 +81,7 @@ impl LinearProblem {
         let rows = |side: fn(&Spring) -> &SVector<f64, 3>| {
             let mut rows = Vec::with_capacity(springs.len());
             for (site, range) in sites.iter().zip(first.windows(2)) {
-                for spring in &springs[range[0]..range[1]] {
-                    rows.push(&site.map * side(spring));
-                }
+                rows.extend(mapped(&springs[range[0]..range[1]], &|spring| &site.map * side(spring)));
             }
             rows
         };

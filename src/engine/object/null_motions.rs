@@ -14,7 +14,7 @@ use super::banded_tangent::{BandedTangent, SpringRows};
 use super::tolerances::NO_WORK;
 use crate::numerics::tolerances::LINEARLY_DEPENDENT;
 use crate::numerics::{
-    BandFactors, IntoList, Singular, Size, Vector, add_times, dot, matrix_of, orthonormalise_against,
+    BandFactors, IntoList, Singular, Size, Vector, add_times, dot, matrix_of, orthonormalise_against, scale,
 };
 use crate::prelude::*;
 
@@ -136,9 +136,7 @@ fn sorted_null_vectors(
             }
             let unit = 1.0 / v.norm();
             v *= unit;
-            for x in &mut stretches {
-                *x *= unit;
-            }
+            scale(&mut stretches, unit);
         }
         found.push((v, stretches));
     }
@@ -169,9 +167,7 @@ fn sorted_null_vectors(
             return None;
         }
         let unit = 1.0 / length;
-        for x in &mut stretches {
-            *x *= unit;
-        }
+        scale(&mut stretches, unit);
         apart.stretched.push((v * unit, stretches));
     }
     Some(apart)

@@ -18,7 +18,7 @@ use super::precise::{PreciseBalance, PreciseTwist};
 use super::problem::Problem;
 use super::tolerances::{MOST_CORRECTIONS, NEARLY_CORRECTED, NO_WORK};
 use crate::grasp::Site;
-use crate::numerics::{DoubleDouble, Vector, cleared_for, without};
+use crate::numerics::{DoubleDouble, IntoList, Vector, cleared_for, without};
 use crate::prelude::*;
 
 /// Contact forces and twist that solve the linear problem of a [`LinearProblem`] under given offsets and a given load. For the rate problem
@@ -218,9 +218,7 @@ impl LinearProblem {
         cleared_for(x, self.springs.len());
         for (contact, springs, _) in self.of_each_contact() {
             let stretch = stretch(contact);
-            for spring in springs {
-                x.push(spring.stretch_direction.dot(&stretch));
-            }
+            springs.iter().map(|spring| spring.stretch_direction.dot(&stretch)).append_to(x);
         }
     }
 

@@ -135,9 +135,7 @@ impl Setup<3> {
         for question in &self.questions {
             // The load of a question `onset` is its field `direction` times the load factor; the magnitude of this vector therefore has no meaning.
             if !matches!(question, Question::Onset { .. }) {
-                for load in applied_loads(question) {
-                    heaviest = heaviest.max(force(&load).norm());
-                }
+                heaviest = heaviest.max(largest(&applied_loads(question), &|load| force(load).norm()));
             }
         }
         // Grippers are designed for loads that friction can carry; a hundred times the load that friction can carry is probably a mistake.
@@ -162,9 +160,7 @@ impl Setup<3> {
         };
         let mut far = 0.0_f64;
         for question in &self.questions {
-            for load in applied_loads(question) {
-                far = far.max(arm(&load));
-            }
+            far = far.max(largest(&applied_loads(question), &arm));
         }
         warnings.extend(far_load(far, size));
         warnings

@@ -12,7 +12,7 @@ use super::contact::Contact;
 use super::face::{Face, face_of_struct, inside, outside};
 use super::pressure::{Layer, Pressure};
 use crate::error::{Error, LARGEST};
-use crate::numerics::{Reals, Space, indexed, largest, moved};
+use crate::numerics::{Reals, Space, indexed, largest, mapped, moved};
 use crate::prelude::*;
 
 /// A patch of point contacts that models one fingertip; its stiffness and friction limits have closed forms.
@@ -96,13 +96,9 @@ face_of_struct! {
 /// Points across a line contact of half width 1, in ascending order: position, and fraction of the load. Each quadrature node of `layers`, given by
 /// its distance from the middle, becomes two points, one on either side.
 pub(super) fn along_a_line(layers: &[Layer]) -> Vec<(f64, f64)> {
-    let mut all = Vec::with_capacity(2 * layers.len());
-    for layer in layers.iter().rev() {
-        all.push((-layer.distance, 0.5 * layer.weight));
-    }
-    for layer in layers {
-        all.push((layer.distance, 0.5 * layer.weight));
-    }
+    let mut all = mapped(layers, &|layer| (-layer.distance, 0.5 * layer.weight));
+    all.reverse();
+    all.extend(mapped(layers, &|layer| (layer.distance, 0.5 * layer.weight)));
     all
 }
 

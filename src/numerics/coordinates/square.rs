@@ -127,9 +127,7 @@ impl Square {
     pub(crate) fn add_product(&mut self, a: &[f64], b: &[f64]) {
         let n = self.size.count();
         for (column, b) in self.as_mut_slice().chunks_exact_mut(n.max(1)).zip(b) {
-            for (entry, a) in column.iter_mut().zip(a) {
-                *entry += a * b;
-            }
+            add_times(column, a, *b);
         }
     }
 }

@@ -113,10 +113,7 @@ impl StepProgram {
             })
         };
         let ranges = mapped(&self.gradients, &ends);
-        let mut top = f64::INFINITY;
-        for (factor, [_, most]) in self.factors.iter().zip(&ranges) {
-            top = top.min(factor + most);
-        }
+        let top = self.factors.iter().zip(&ranges).map(|(factor, [_, most])| factor + most).least();
         if !top.is_finite() {
             return None;
         }

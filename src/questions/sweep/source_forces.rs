@@ -30,7 +30,7 @@ impl SourceForces {
     pub(super) fn add(&mut self, times: f64, other: &Self) {
         add_times(&mut self.known, &other.known, times);
         for (sum, more) in self.off.iter_mut().flatten().zip(other.off.iter().flatten()) {
-            sum.iter_mut().zip(more).for_each(|(sum, more)| *sum += more * times);
+            add_times(sum, more, times);
         }
     }
 
