@@ -78,7 +78,7 @@ mod tests {
             let steps = 20_000;
             let h = angle / f64::from(steps);
             let middle = |k: u32| (f64::from(k) + 0.5) * h;
-            let sum: f64 = (0..steps).map(|k| force.at(middle(k)) * moved.rate_at(middle(k)) * h).added();
+            let sum: f64 = (0..steps).map(|k| force.at(middle(k)) * moved.rate_at(middle(k)) * h).sum();
             let work = force.work_on(&moved, angle);
             assert!((work - sum).abs() < 1e-6 * angle, "{angle}: {work} {sum}");
         }

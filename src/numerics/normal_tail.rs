@@ -121,7 +121,7 @@ mod tests {
                 let width = 5e-4;
                 let at = |k: i32| a + width * (f64::from(k) + 0.5);
                 let given = |x: f64| normal_tail((b - rho * x) / (1.0_f64 - rho * rho).sqrt());
-                let exact: f64 = (0..16_000).map(|k| width * normal_density(at(k)) * given(at(k))).added();
+                let exact: f64 = (0..16_000).map(|k| width * normal_density(at(k)) * given(at(k))).sum();
                 // With strong negative correlation the result is the small difference of nearly equal numbers, so its absolute error is compared.
                 assert!(
                     (normal_tail_of_both([a, b], rho) - exact).abs() < 1e-3 * exact + 1e-6 * normal_tail(a)

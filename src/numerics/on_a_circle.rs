@@ -99,7 +99,8 @@ mod tests {
                 number: Harmonic::new([2.0 + number(), number(), number()]),
                 vector: Harmonic::new(core::array::from_fn(|_| SVector::from([number(), number()]))),
             };
-            let sampled = (0..3000).map(|k| turning.value(TAU * f64::from(k) / 3000.0)).least();
+            let sampled =
+                (0..3000).map(|k| turning.value(TAU * f64::from(k) / 3000.0)).fold(f64::INFINITY, f64::min);
             if let Some(angle) = turning.deepest(TAU) {
                 assert!(turning.value(angle) < 0.0, "{turning:?}");
                 some += 1;

@@ -254,7 +254,7 @@ mod tests {
         assert_eq!(factor.rank(), 3);
         for a in 0..3 {
             for b in 0..3 {
-                let product: f64 = (0..9).map(|i| factor.row(i)[a] * factor.row(i)[b]).added();
+                let product: f64 = (0..9).map(|i| factor.row(i)[a] * factor.row(i)[b]).sum();
                 assert!((product - f64::from(u8::from(a == b))).abs() < 1e-15);
             }
         }

@@ -65,7 +65,7 @@ mod tests {
     fn normal_numbers_have_the_moments_of_a_normal_distribution() {
         let count = 40_000_u64;
         let draws: Vec<f64> = (0..count).map(|i| Draw::new([3, i, i % 5]).normal()).collect();
-        let moment = |k: i32| draws.iter().map(|z| z.powi(k)).added() / count as f64;
+        let moment = |k: i32| draws.iter().map(|z| z.powi(k)).sum::<f64>() / count as f64;
         // The allowed error of a moment: five standard deviations of the sampling error.
         let error = |variance: f64| 5.0 * (variance / count as f64).sqrt();
         assert!(moment(1).abs() < error(1.0), "{}", moment(1));

@@ -17,7 +17,7 @@ use num_traits::{FromPrimitive, One, Signed, Zero};
 
 use crate::contact::{Label, LocalLaw, Sector};
 use crate::grasp::{Contact, Engine, Site, Wrench};
-use crate::numerics::{Reals, Vector, every_index};
+use crate::numerics::{Vector, every_index};
 use crate::object::Problem;
 use crate::prelude::*;
 use crate::proofs::{ESCAPE, ProofStep, check};
@@ -209,7 +209,7 @@ fn every_leaf_is_contradicted_in_exact_arithmetic() -> Result<(), crate::Error> 
         let trial = problem.trial();
         let state = trial.solve(problem.sites, &problem.offsets, problem.load()).expect("it is held");
         let stored = problem.sites.iter().zip(&state.forces).map(|(s, f)| 2.0 * s.springs.stored(f));
-        let data = exact(stored.added().sqrt());
+        let data = exact(stored.sum::<f64>().sqrt());
 
         // The grasp holds a quarter of the load, so that no proof exists under this smaller load. The steps of the proof must then fail: the test
         // thus shows that the check can reject a proof.

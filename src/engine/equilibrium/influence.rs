@@ -73,7 +73,7 @@ mod tests {
         let influence = &response.influences(&point).expect("resists")[0];
         let margin = |row: &SVector<f64, 3>| row.dot(&force) - 2.0 * influence.gradient_of(row).norm();
         let rows = response.edges[0].least(&margin);
-        let worst = *lowest(&rows, &margin).expect("a cone");
+        let worst = rows.into_iter().min_by(|a, b| margin(a).total_cmp(&margin(b))).expect("a cone");
         (-influence.gradient_of(&worst).normalize(), margin(&worst))
     }
 

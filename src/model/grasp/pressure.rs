@@ -105,12 +105,12 @@ mod tests {
                     .map(|i| (f64::from(i) + 0.5) / f64::from(steps))
                     .map(|r| (r, density(pressure, r)))
                     .collect();
-                let total: f64 = samples.iter().map(|(_, p)| p).added();
+                let total: f64 = samples.iter().map(|(_, p)| p).sum();
                 let layers = pressure.layers(space, bands);
                 for (band, samples) in layers.chunks(2).zip(samples.chunks(steps as usize / bands)) {
                     for k in 0..=2 {
-                        let from_layers: f64 = band.iter().map(|l| l.weight * l.distance.powi(k)).added();
-                        let integral = samples.iter().map(|(r, p)| p * r.powi(k)).added() / total;
+                        let from_layers: f64 = band.iter().map(|l| l.weight * l.distance.powi(k)).sum();
+                        let integral = samples.iter().map(|(r, p)| p * r.powi(k)).sum::<f64>() / total;
                         assert!((from_layers - integral).abs() < 1e-8, "{pressure:?} {bands} {k}");
                     }
                 }
@@ -140,7 +140,7 @@ mod tests {
                         assert!(a < band[0].distance && band[0].distance < b && band[1].distance == b);
                         assert!(band.iter().all(|layer| layer.weight > 0.0), "{pressure:?} {bands} {band:?}");
                     }
-                    let sum: f64 = layers.iter().map(|layer| layer.weight).added();
+                    let sum: f64 = layers.iter().map(|layer| layer.weight).sum();
                     assert!((sum - 1.0).abs() < 1e-13, "{sum}");
                 }
             }

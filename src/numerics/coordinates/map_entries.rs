@@ -254,7 +254,7 @@ mod tests {
     fn dense(a: &[f64], b: &[f64]) -> f64 {
         let (mut sums, whole) = ([0.0; 4], a.len() / 4 * 4);
         (0..whole).for_each(|k| sums[k % 4] += a[k] * b[k]);
-        let rest: f64 = (whole..a.len()).map(|k| a[k] * b[k]).added();
+        let rest: f64 = (whole..a.len()).map(|k| a[k] * b[k]).sum();
         (sums[0] + sums[2]) + (sums[1] + sums[3]) + rest
     }
 

@@ -129,14 +129,14 @@ mod tests {
     #[test]
     fn a_mean_of_equal_groups() {
         let residuals = [0.3, 0.5, 0.1, -0.2, -0.4, -0.1, 0.2, -0.3, 0.4, -0.7, 0.1, 0.1];
-        let mean = residuals.iter().added() / 12.0;
+        let mean = residuals.iter().sum::<f64>() / 12.0;
         let residuals = residuals.map(|x| x - mean);
         let groups: Vec<usize> = (0..12).map(|k| k / 3).collect();
         let rows = DMatrix::from_element(12, 1, 12_f64.sqrt().recip());
         let found = Grouped::of(&rows, &residuals, &groups)
             .of_unknown(&DVector::from_element(1, 12_f64.sqrt().recip()));
-        let means: Vec<f64> = residuals.chunks(3).map(|three| three.iter().added() / 3.0).collect();
-        let expected = means.iter().map(|x| x * x).added() / 3.0 / 4.0;
+        let means: Vec<f64> = residuals.chunks(3).map(|three| three.iter().sum::<f64>() / 3.0).collect();
+        let expected = means.iter().map(|x| x * x).sum::<f64>() / 3.0 / 4.0;
         let found = found.expect("four groups tell it");
         assert!((found.variance / expected - 1.0).abs() < 1e-12, "{} {expected}", found.variance);
         assert!((found.degrees - 3.0).abs() < 1e-12, "{}", found.degrees);

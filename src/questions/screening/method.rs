@@ -134,7 +134,7 @@ mod tests {
         let grasp: &mut AnyGraspData<3> = &mut made;
         for i in 0..3 {
             let inward = [0, 1, 2].map(|_| draw.normal());
-            let length = inward.iter().map(|x| x * x).added().sqrt();
+            let length = inward.iter().map(|x| x * x).sum::<f64>().sqrt();
             for axis in 0..3 {
                 let width = if axis == 0 { 1.0 } else { narrow };
                 *grasp.at(Row::POINT + axis, i) = width * (0.2 * draw.normal() - inward[axis] / length) + 0.5;

@@ -86,7 +86,7 @@ mod tests {
     fn averaged(given: &dyn Fn(f64) -> f64) -> f64 {
         let (steps, width) = (4000, 4e-3);
         let at = |k: i32| f64::from(2 * k + 1 - steps) * 0.5 * width;
-        (0..steps).map(|k| width * normal_density(at(k)) * given(at(k))).added()
+        (0..steps).map(|k| width * normal_density(at(k)) * given(at(k))).sum()
     }
 
     /// Let z be the error of a datum and z_f that of friction, in standard deviations. The normal force is 10 + 1.5 z, the coefficient of friction
