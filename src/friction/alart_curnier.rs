@@ -19,7 +19,7 @@ use super::equations::{Equations, Linearisation};
 use super::law::tangent;
 use super::problem::{FrictionProblem, part};
 use super::tolerances::LEAST_ANCHOR;
-use crate::numerics::{mapped, numbered};
+use crate::numerics::{Reals, mapped, numbered};
 use crate::prelude::*;
 use nalgebra::{DVector, SMatrix, SVector};
 
@@ -78,7 +78,7 @@ impl<'a, const C: usize> Anchored<'a, C> {
             let terms = blocks.terms(anchor, &problem.q);
             let size =
                 |i: usize| part::<C>(anchor, i).norm().max(rho[i] * part::<C>(&terms, i).amax()).powi(2);
-            let largest = (0..rho.len()).map(|i| size(i) / rho[i]).fold(0.0, f64::max);
+            let largest = (0..rho.len()).map(|i| size(i) / rho[i]).most();
             // Lower limit of the magnitude of a contact's force and velocity, relative to the largest magnitude of all contacts. Residuals are
             // divided by this magnitude. Without the limit, a contact with almost no force would dominate the norm of the residuals.
             let faintest = 1e-6;

@@ -17,7 +17,7 @@ use super::equations::{Equations, IterationLimits, Linearisation, descend};
 use super::law::tangent;
 use super::problem::{FrictionProblem, part};
 use super::tolerances::SHIFTED_BLOCK;
-use crate::numerics::numbered;
+use crate::numerics::{Reals, numbered};
 use crate::prelude::*;
 use core::ops::ControlFlow;
 use nalgebra::{DVector, SVector};
@@ -65,7 +65,7 @@ pub(super) fn follow<const C: usize>(
 ) -> (DVector<f64>, usize) {
     let rho = scales(problem, blocks);
     let count = problem.len() as f64;
-    let energy = (0..problem.len()).map(|i| part::<C>(&r, i).norm_squared() / rho[i]).sum::<f64>() / count;
+    let energy = (0..problem.len()).map(|i| part::<C>(&r, i).norm_squared() / rho[i]).added() / count;
     let ControlFlow::Continue(missing) = judge(&r) else { return (r, 0) };
     let mut best = (missing, r.clone());
     // The parameter τ of the last point on the central path, and the factor by which τ is reduced for the next point. `made` is the number of Newton

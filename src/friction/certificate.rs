@@ -14,7 +14,7 @@ use super::facets::Facets;
 use super::problem::{FrictionProblem, part};
 use super::tolerances::PROOF_ROUNDING;
 use crate::lcp::{self, Lcp};
-use crate::numerics::{ExactSum, IntoList, mapped, rounding_of, times_power_of_two, vector_of};
+use crate::numerics::{ExactSum, IntoList, Reals, mapped, rounding_of, times_power_of_two, vector_of};
 use crate::prelude::*;
 use core::cmp::Ordering;
 use core::f64::consts::PI;
@@ -73,7 +73,7 @@ impl<const C: usize> FrictionProblem<C> {
                 generator[0] = 1.0;
                 for row in 0..n {
                     let moved = (0..C).map(|a| self.w[(C * row, C * i + a)] * generator[a]);
-                    normals[(row, count * i + j)] = moved.sum();
+                    normals[(row, count * i + j)] = moved.added();
                 }
             }
         }

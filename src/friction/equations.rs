@@ -5,8 +5,8 @@
 
 use super::blocks::{Blocks, ContactBlock};
 use super::elimination;
-use crate::numerics::numbered;
 use crate::numerics::tolerances::SUFFICIENT_DECREASE;
+use crate::numerics::{IntoList, numbered};
 use crate::prelude::*;
 use nalgebra::{DVector, SVector};
 
@@ -127,7 +127,7 @@ pub(super) fn newton_step<const C: usize>(
         let mut row = vec![(i, by_force + by_velocity * own)];
         // If the residual of a contact does not depend on its velocity (an open contact), it does not depend on the forces of other contacts.
         if by_velocity.iter().any(|x| *x != 0.0) {
-            row.extend(blocks.off_diagonal(i).iter().map(|(j, w)| (*j, by_velocity * w)));
+            blocks.off_diagonal(i).iter().map(|(j, w)| (*j, by_velocity * w)).append_to(&mut row);
         }
         row
     };

@@ -11,7 +11,7 @@ use super::central_path::{Smoothed, scales};
 use super::equations::{Equations, IterationLimits, descend};
 use super::problem::{FrictionProblem, part};
 use super::tolerances::ON_CENTRAL_PATH;
-use crate::numerics::{IntoList, total, vector_of};
+use crate::numerics::{IntoList, Reals, total, vector_of};
 use crate::prelude::*;
 use nalgebra::{DMatrix, DVector};
 
@@ -28,7 +28,7 @@ pub(super) fn around_folds<const C: usize>(
     let rho = scales(problem, blocks);
     let path = Path { problem, blocks, rho: &rho };
     let q = (0..problem.len()).map(|i| part::<C>(&problem.q, i).norm_squared() * rho[i]);
-    let energy = q.sum::<f64>() / problem.len() as f64;
+    let energy = q.added() / problem.len() as f64;
     let mut x = path.starting_point(energy)?;
     let end = (1e-18 * energy).ln();
     let size = x.len() - 1;

@@ -1,6 +1,7 @@
 //! Coulomb's law between force and velocity of a contact, and the residuals of a force and a velocity that violate it.
 
 use super::problem::{FrictionProblem, part};
+use crate::numerics::Reals;
 use nalgebra::{DVector, SVector};
 
 /// The state of a contact by Coulomb's law.
@@ -48,7 +49,7 @@ impl Residuals {
     #[must_use]
     pub fn max(&self) -> f64 {
         let all = [self.approach, self.cone, self.law];
-        if all.iter().any(|r| r.is_nan()) { f64::NAN } else { all.into_iter().fold(0.0, f64::max) }
+        if all.iter().any(|r| r.is_nan()) { f64::NAN } else { all.into_iter().most() }
     }
 }
 

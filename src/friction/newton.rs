@@ -6,7 +6,7 @@ use super::alart_curnier::answer;
 use super::problem::{FrictionProblem, part};
 use super::tolerances::UNDETERMINED_FORCE;
 use crate::numerics::tolerances::{FEW_ROUNDINGS, SOLVED_ROUNDING, SUFFICIENT_DECREASE};
-use crate::numerics::{dot, increasing, mapped, numbered, summed};
+use crate::numerics::{Reals, add_times, dot, increasing, mapped, numbered, summed};
 use crate::prelude::*;
 use nalgebra::{DMatrix, DVector, SMatrix};
 
@@ -99,7 +99,7 @@ impl<'a, const C: usize> Newton<'a, C> {
             for a in 0..C {
                 for column in 0..size {
                     let row = (0..C).map(|b| change[(a, b)] * self.problem.w[(C * i + b, column)]);
-                    jacobian[(C * i + a, column)] = row.sum::<f64>() * self.rho[i];
+                    jacobian[(C * i + a, column)] = row.added() * self.rho[i];
                 }
                 for b in 0..C {
                     let unchanged = if a == b { 1.0 } else { 0.0 };
@@ -133,9 +133,7 @@ fn least_squares(a: &DMatrix<f64>, mut b: DVector<f64>) -> DVector<f64> {
         let unit = mapped(&columns[j], &|x| x / length);
         let project = |vector: &mut [f64]| {
             let product = dot(&unit, vector);
-            for (x, y) in vector.iter_mut().zip(&unit) {
-                *x -= product * y;
-            }
+            add_times(vector, &unit, -product);
             product
         };
         for i in &open {

@@ -12,7 +12,7 @@ use super::settings::{MOST_CONE_FACETS, Settings};
 use super::solution::Solution;
 use super::tolerances::MOST_ROWS_FACETS_FIRST;
 use crate::lcp::{BreakdownCause, Certificate, Outcome};
-use crate::numerics::IntoList;
+use crate::numerics::{IntoList, every_index};
 use crate::prelude::*;
 use core::ops::ControlFlow;
 use nalgebra::DVector;
@@ -85,7 +85,7 @@ impl<const C: usize> FrictionProblem<C> {
         (names, watch): (&'a [usize], &'a mut Watcher<'_>),
     ) -> Outcome<Solution> {
         let rho = blocks.scales();
-        if (0..self.len()).all(|i| self.q[C * i] >= 0.0) {
+        if every_index(self.len(), &|i| self.q[C * i] >= 0.0) {
             let solved = self.checked_solution(DVector::zeros(self.q.len()), &rho, settings.tolerance);
             return solved
                 .map_or(Outcome::Breakdown { pivots: 0, cause: BreakdownCause::Overflow }, Outcome::Solved);

@@ -11,7 +11,7 @@ use super::residuals::{Residuals, ignores_q};
 use super::settings::Settings;
 use super::tolerances::{SOUND_RESIDUAL, ZERO_VALUE, residual_rounding};
 use super::workspace::Workspace;
-use crate::numerics::IntoList;
+use crate::numerics::{IntoList, add_times, any_index};
 use crate::prelude::*;
 
 impl Workspace {
@@ -54,10 +54,11 @@ impl Workspace {
         let mut residuals = self.refine(lcp, residuals);
         // A basic z_j that is zero in exact arithmetic is computed as noise. It is set to zero if that does not increase the residuals beyond
         // rounding.
-        if (0..n).any(|j| self.vanishing[j] && self.point.z[j] > 0.0) {
-            let kept = self.point.z.iter().zip(&self.vanishing).map(|(z, out)| if *out { 0.0 } else { *z });
+        if any_index(n, &|j| self.vanishing[j] && self.point.z[j] > 0.0) {
+            let mut kept =
+                self.point.z.iter().zip(&self.vanishing).map(|(z, out)| if *out { 0.0 } else { *z });
             self.candidate.z.clear();
-            self.candidate.z.extend(kept);
+            kept.append_to(&mut self.candidate.z);
             let free_of_charge = residuals.max().max(residual_rounding(n));
             self.take_spare(lcp, &mut residuals, |cut| cut <= free_of_charge);
         }
@@ -152,7 +153,7 @@ impl Workspace {
     fn correct_values(&mut self) {
         let path = &mut self.path;
         self.defect.clear();
-        self.defect.extend(self.point.w.iter().zip(&path.scaling.row).map(|(w, row)| w * row));
+        self.point.w.iter().zip(&path.scaling.row).map(|(w, row)| w * row).append_to(&mut self.defect);
         for (i, defect) in self.defect.iter_mut().enumerate() {
             if !path.dictionary.is_active(i) {
                 *defect = 0.0;
@@ -160,9 +161,7 @@ impl Workspace {
         }
         refill(&mut self.correction, self.defect.len(), 0.0);
         path.dictionary.effect(&self.defect, &mut self.correction);
-        for (x, c) in path.dictionary.x.iter_mut().zip(&self.correction) {
-            *x += c;
-        }
+        add_times(&mut path.dictionary.x, &self.correction, 1.0);
     }
 
     /// Sets to zero, and removes from the basis, each basic z_i whose w_i exceeds the residual tolerance relative to the terms of w_i. If all

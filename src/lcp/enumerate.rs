@@ -10,7 +10,7 @@ use super::solution::Solution;
 use super::tolerances::{MOST_ENUMERATED, ZERO_VALUE};
 use super::{linear_program, principal, vertices};
 use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
-use crate::numerics::{Each, chosen, matrix_of, vector_of};
+use crate::numerics::{Each, Reals, chosen, matrix_of, vector_of};
 use crate::prelude::*;
 use nalgebra::DVector;
 
@@ -132,7 +132,7 @@ impl Search<'_> {
     /// was not noise, the residuals become large.
     fn without_noise(&self, alpha: &[usize], basic: &DVector<f64>) -> DVector<f64> {
         let size = |j: usize| basic[j].abs() / self.scaling.column[alpha[j]];
-        let largest = (0..alpha.len()).map(size).fold(0.0, f64::max);
+        let largest = (0..alpha.len()).map(size).most();
         vector_of(alpha.len(), &|j| if size(j) <= ZERO_VALUE * largest { 0.0 } else { basic[j] })
     }
 

@@ -17,7 +17,7 @@ use super::linear_program::{self, MARGINS};
 use super::problem::Lcp;
 use super::scaling::Scaling;
 use super::settings::Settings;
-use crate::numerics::{IntoList, chosen, increasing, mapped, matrix_of, vector_of};
+use crate::numerics::{IntoList, Reals, any_index, chosen, increasing, mapped, matrix_of, vector_of};
 use crate::prelude::*;
 use nalgebra::{DMatrix, DVector};
 
@@ -51,7 +51,7 @@ impl ExclusionTest<'_> {
     /// then w_i < 0. For i in α, where w_i must be zero, row i also excludes the basis if q_i > 0 and the row has no negative entry in the columns α.
     fn by_one_row(&self, alpha: &[usize]) -> bool {
         let hopeless = |i: usize, sign: f64| self.lcp.has_certain_sign(i, sign, alpha.iter().copied());
-        (0..self.q.len()).any(|i| hopeless(i, 1.0)) || alpha.iter().any(|i| hopeless(*i, -1.0))
+        any_index(self.q.len(), &|i| hopeless(i, 1.0)) || alpha.iter().any(|i| hopeless(*i, -1.0))
     }
 
     /// Whether a row of the inverse of the regular block M_αα, taken as the vector v of the proof, excludes the basis. Three rows are tried, for
@@ -69,7 +69,7 @@ impl ExclusionTest<'_> {
             (0..size).map(|j| (z[j], ViolatedCondition::Domain(j))).chain(outside).list();
         broken.retain(|(value, _)| *value < 0.0);
         let values: Vec<f64> = mapped(&broken, &|(value, _)| *value);
-        let reach = z.iter().map(|z| z.abs()).sum::<f64>();
+        let reach = z.iter().map(|z| z.abs()).added();
         increasing(&values).into_iter().take(3).any(|position| {
             let (value, which) = &broken[position];
             // The proof needs (Mᵀv)_α ≤ 0 and qᵀv < 0. A shift of (Mᵀv)_α below zero raises the negative qᵀv, and may use up this fraction of its

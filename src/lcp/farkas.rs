@@ -10,7 +10,7 @@ use core::cmp::Ordering;
 use super::outcome::{Certificate, Outcome, Unsolved};
 use super::problem::Lcp;
 use super::tolerances::{BOUND_ROUNDING, LARGEST_WHOLE, ZERO_VALUE, sum_rounding};
-use crate::numerics::{ExactSum, times_power_of_two};
+use crate::numerics::{ExactSum, Reals, times_power_of_two};
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 use nalgebra::DVector;
@@ -75,7 +75,7 @@ impl Lcp {
             let (sum, l) = times(column, y).leading();
             if sum <= 0.0 { f64::INFINITY } else { times_power_of_two(-descent / sum, k - l) }
         };
-        self.columns().map(against).fold(f64::INFINITY, f64::min) * (1.0 - BOUND_ROUNDING)
+        self.columns().map(against).least() * (1.0 - BOUND_ROUNDING)
     }
 
     /// The outcome that the vector y proves, as computed or [`cleaned`] of rounding: infeasible if y is a Farkas vector without rounding,

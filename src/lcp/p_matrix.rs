@@ -2,7 +2,7 @@
 
 use super::problem::Lcp;
 use super::tolerances::{ELIMINATED_PIVOT, elimination_rounding};
-use crate::numerics::matrix_of;
+use crate::numerics::{Reals, any_index, every_index, matrix_of};
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 use nalgebra::DMatrix;
@@ -26,14 +26,14 @@ impl Lcp {
     pub fn has_p_matrix(&self) -> Option<bool> {
         let m = &self.m;
         let n = m.nrows();
-        if (0..n).any(|i| m[(i, i)] <= 0.0) {
+        if any_index(n, &|i| m[(i, i)] <= 0.0) {
             return Some(false);
         }
-        let dominant = |i: usize| m.row(i).iter().map(|x| x.abs()).sum::<f64>() < 2.0 * m[(i, i)];
-        if is_positive_definite(m) || (0..n).all(dominant) {
+        let dominant = |i: usize| m.row(i).iter().map(|x| x.abs()).added() < 2.0 * m[(i, i)];
+        if is_positive_definite(m) || every_index(n, &dominant) {
             return Some(true);
         }
-        if (0..n).all(|j| (0..n).all(|i| i == j || m[(i, j)] <= 0.0)) {
+        if every_index(n, &|j| every_index(n, &|i| i == j || m[(i, j)] <= 0.0)) {
             // A matrix without positive entries off its diagonal is a P-matrix exactly if all pivots of an elimination without exchanges are
             // positive (Cottle, Pang & Stone, theorem 3.11.10).
             let mut a = m.clone();

@@ -6,7 +6,7 @@
 use super::dictionary::{Dictionary, LemkeVariable};
 use super::memory::{make_room, refill};
 use super::scaling::Scaling;
-use crate::numerics::generic;
+use crate::numerics::{IntoList, generic};
 use crate::prelude::*;
 
 /// A path through the dictionaries of one balanced problem, as far as it has been followed.
@@ -43,7 +43,7 @@ impl LemkePath {
     pub(super) fn prepare(&mut self, m: &[f64], q: &[f64]) {
         self.scaling.balance(q.len(), m, q);
         self.p.clear();
-        self.p.extend(self.scaling.row_unit.iter().enumerate().map(|(i, unit)| unit * generic(i)));
+        self.scaling.row_unit.iter().enumerate().map(|(i, unit)| unit * generic(i)).append_to(&mut self.p);
         self.set_right_hand_side(q);
         self.pivots = 0;
         self.reserve(q.len());
@@ -62,7 +62,7 @@ impl LemkePath {
 
     pub(super) fn set_right_hand_side(&mut self, q: &[f64]) {
         self.q.clear();
-        self.q.extend(q.iter().zip(&self.scaling.row).map(|(q, row)| q * row));
+        q.iter().zip(&self.scaling.row).map(|(q, row)| q * row).append_to(&mut self.q);
     }
 
     /// Sets the dictionary to the slack basis, in which every slack w_i is basic, with the right-hand side q, perturbation p and covering vector

@@ -1,5 +1,6 @@
 //! Iteration over the nonzero entries of [M, q]: the matrix M of a problem, with its vector q as one more column. Subnormal entries count as zero.
 
+use crate::numerics::Reals;
 use crate::prelude::*;
 
 /// The nonzero entries of [M, q], column by column: a list of their rows, or the whole columns, whose entries are tested one by one.
@@ -34,8 +35,7 @@ impl<'a> Pattern<'a> {
 
     /// Calls `visit` for each column of [M, q] that has nonzero entries: with the column's index (counted from 0; n for q), the number of its nonzero
     /// entries, and the column.
-    #[inline]
-    pub(super) fn for_each(&self, counts: &[f64], mut visit: impl FnMut(usize, f64, &Column)) {
+    pub(super) fn for_each(&self, counts: &[f64], visit: &mut dyn FnMut(usize, f64, &Column)) {
         match self {
             Self::Listed(list) => {
                 let mut rest = *list;
@@ -62,7 +62,7 @@ impl Column<'_> {
     /// The sum of the entries `rho` over the rows in which the column has a nonzero entry.
     pub(super) fn sum(&self, rho: &[f64]) -> f64 {
         match self {
-            Self::Listed(list) => list.iter().map(|i| rho[*i as usize]).sum(),
+            Self::Listed(list) => list.iter().map(|i| rho[*i as usize]).added(),
             Self::InPlace(column) => sum_where(column, rho),
         }
     }

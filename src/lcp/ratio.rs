@@ -11,7 +11,7 @@
 use super::dictionary::{Dictionary, LemkeVariable, largest};
 use super::settings::Settings;
 use crate::numerics::tolerances::ROUNDED_SUM;
-use crate::numerics::{Loop, wide};
+use crate::numerics::{Loop, Reals, wide};
 
 /// The role of the covering variable z₀ on a path.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -144,7 +144,7 @@ impl Loop for ShortestStep<'_> {
         for (x, u) in xs.remainder().iter().zip(us.remainder()) {
             lanes[0] = lanes[0].min(ratio(*x, *u));
         }
-        lanes.into_iter().fold(f64::INFINITY, f64::min)
+        lanes.into_iter().least()
     }
 }
 

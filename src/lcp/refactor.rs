@@ -9,7 +9,7 @@ use super::outcome::BreakdownCause;
 use super::path::LemkePath;
 use super::scaling::Scaling;
 use super::tolerances::{DRIFT_FLOOR, ELIMINATED_PIVOT};
-use crate::numerics::generic;
+use crate::numerics::{IntoList, add_times, generic};
 
 impl LemkePath {
     /// Drift of the basic values, which rounding causes from pivot to pivot. It is the largest violation of w = q + M z + d z₀ in any row, relative
@@ -29,7 +29,7 @@ impl LemkePath {
     fn compute_defect(&mut self, m: &[f64]) {
         self.defect.clone_from(&self.q);
         self.terms.clear();
-        self.terms.extend(self.q.iter().map(|q| q.abs()));
+        self.q.iter().map(|q| q.abs()).append_to(&mut self.terms);
         let Self { dictionary, scaling, d, defect, terms, .. } = self;
         add_basic_columns(defect, terms, (&dictionary.basic, &dictionary.x), d, scaling, m);
     }
@@ -46,9 +46,7 @@ impl LemkePath {
         add_column(defect, terms, (entering, 1.0), d, scaling, m);
         add_basic_columns(defect, terms, (&dictionary.basic, &dictionary.u), d, scaling, m);
         dictionary.effect(defect, terms);
-        for (u, correction) in dictionary.u.iter_mut().zip(&*terms) {
-            *u += correction;
-        }
+        add_times(&mut dictionary.u, terms, 1.0);
         (terms[row] / dictionary.u[row]).abs().max(largest(terms) / largest(&dictionary.u))
     }
 
@@ -104,9 +102,7 @@ impl LemkePath {
         self.dictionary.sum_terms(&self.terms);
         let mut effect = core::mem::take(&mut self.terms);
         self.dictionary.effect(&self.defect, &mut effect);
-        for (x, e) in self.dictionary.x.iter_mut().zip(&effect) {
-            *x += e;
-        }
+        add_times(&mut self.dictionary.x, &effect, 1.0);
         self.terms = effect;
     }
 
@@ -164,7 +160,7 @@ impl LemkePath {
     /// caller's M, before its rows are balanced.
     pub(super) fn start_parameter(&mut self, d: &[f64], m: &[f64]) {
         self.d.clear();
-        self.d.extend(d.iter().zip(&self.scaling.row).map(|(d, row)| d * row));
+        d.iter().zip(&self.scaling.row).map(|(d, row)| d * row).append_to(&mut self.d);
         self.dictionary.d.clone_from(&self.d);
         self.dictionary.enter(LemkeVariable::Covering, m, &self.scaling);
     }
@@ -179,7 +175,7 @@ impl LemkePath {
         self.leaving.clear();
         self.leaving.extend((0..self.q.len()).filter(|i| active(*i)));
         self.members.clear();
-        self.members.extend(self.leaving.iter().map(|i| LemkeVariable::Z(*i)));
+        self.leaving.iter().map(|i| LemkeVariable::Z(*i)).append_to(&mut self.members);
         self.install(m)
     }
 }

@@ -1,7 +1,7 @@
 //! The residuals of a point z, computed from the given M and q. The problem is 0 ≤ z ⟂ w = M z + q ≥ 0.
 
 use super::tolerances::{BACKWARD_ERROR, FAINT_ROW, LOST, residual_rounding};
-use crate::numerics::{Each, ExactSum, times_power_of_two};
+use crate::numerics::{Each, ExactSum, Reals, every_index, times_power_of_two};
 use core::fmt;
 use nalgebra::DMatrix;
 
@@ -32,7 +32,7 @@ impl Residuals {
     #[must_use]
     pub fn max(&self) -> f64 {
         let all = self.all();
-        if all.iter().any(|r| r.is_nan()) { f64::NAN } else { all.into_iter().fold(0.0, f64::max) }
+        if all.iter().any(|r| r.is_nan()) { f64::NAN } else { all.into_iter().most() }
     }
 
     /// Whether all three residuals are at most `tolerance`; false if one is NaN.
@@ -65,7 +65,7 @@ pub(super) fn ignores_q(residuals: Residuals, q: &[f64], terms: &[f64], row: &[f
     if missed > residual_rounding(q.len()) && missed * balanced(terms) > BACKWARD_ERROR * balanced(q) {
         return true;
     }
-    q.iter().any(|q| *q != 0.0) && (0..q.len()).all(|i| is_lost(q[i], terms[i]))
+    q.iter().any(|q| *q != 0.0) && every_index(q.len(), &|i| is_lost(q[i], terms[i]))
 }
 
 /// Whether q_i is so small beside the terms of row i of M z + q that rounding may hide it: at most the fraction [`LOST`], 1e-11, of their magnitude

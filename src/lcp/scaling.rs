@@ -18,7 +18,7 @@ use super::logarithms::Logarithms;
 use super::memory::refill;
 use super::pattern::Pattern;
 use super::tolerances::BALANCED_EXPONENTS;
-use crate::numerics::{dot, matrix_of, vector_of};
+use crate::numerics::{IntoList, dot, matrix_of, vector_of};
 use crate::prelude::*;
 use nalgebra::{DMatrix, DVector};
 
@@ -68,7 +68,7 @@ impl Scaling {
         let mut list = core::mem::take(&mut self.pattern);
         let pattern = Pattern::of(n, m, q, &self.columns.count, &mut list);
         self.descend(&pattern);
-        pattern.for_each(&self.columns.count, |j, count, column| {
+        pattern.for_each(&self.columns.count, &mut |j, count, column| {
             if j < n {
                 self.gamma[j] = -(self.columns.sum[j] + column.sum(&self.rho)) / count;
             }
@@ -81,8 +81,8 @@ impl Scaling {
         let n = self.rho.len();
         // The conjugate gradients start with the residual at ρ = 0 of the equations for the row exponents ρ.
         self.residual.clear();
-        self.residual.extend(self.rows.sum.iter().map(|sum| -sum));
-        pattern.for_each(&self.columns.count, |j, count, column| {
+        self.rows.sum.iter().map(|sum| -sum).append_to(&mut self.residual);
+        pattern.for_each(&self.columns.count, &mut |j, count, column| {
             column.add(self.columns.sum[j] / count, &mut self.residual);
         });
         refill(&mut self.direction, n, 0.0);
@@ -111,7 +111,7 @@ impl Scaling {
             for ((image, d), count) in self.image.iter_mut().zip(&self.direction).zip(&self.rows.count) {
                 *image = d * count;
             }
-            pattern.for_each(&self.columns.count, |_, count, column| {
+            pattern.for_each(&self.columns.count, &mut |_, count, column| {
                 column.add(-column.sum(&self.direction) / count, &mut self.image);
             });
             let curvature: f64 = dot(&self.direction, &self.image);
@@ -149,7 +149,7 @@ impl Scaling {
             self.row.push(power_of_two(rounded));
             self.row_unit.push((rounded - rho).exp2());
         }
-        self.column.extend(self.gamma.iter().map(|gamma| power_of_two(gamma.round())));
+        self.gamma.iter().map(|gamma| power_of_two(gamma.round())).append_to(&mut self.column);
     }
 }
 

@@ -12,7 +12,7 @@ use super::linear_program::MARGINS;
 use super::principal;
 use super::problem::Lcp;
 use super::scaling::Scaling;
-use crate::numerics::{mapped, matrix_of, vector_of};
+use crate::numerics::{Reals, mapped, matrix_of, vector_of};
 use crate::prelude::*;
 use nalgebra::{DMatrix, DVector};
 
@@ -79,7 +79,7 @@ fn without_single_entries(block: &DMatrix<f64>, rhs: &DVector<f64>) -> Option<DV
         (value, without_single_entries(&rest, &left.remove_row(i))?)
     } else {
         let x = without_single_entries(&rest, &rhs.clone().remove_row(i))?;
-        let sum: f64 = others.zip(&x).map(|(k, x)| block[(i, k)] * x).sum();
+        let sum: f64 = others.zip(&x).map(|(k, x)| block[(i, k)] * x).added();
         ((rhs[i] - sum) / block[(i, j)], x)
     };
     value.is_finite().then(|| x.insert_row(j, value))

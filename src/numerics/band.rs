@@ -3,6 +3,7 @@
 //! With entries up to b positions from the diagonal, row exchanges fill up to 2b positions to the right. LU factors of n rows cost 2 n b²
 //! multiplications in place of n³/3. The solution for one right-hand side costs 3 n b in place of n².
 
+use super::add_times::{add_times, scale};
 use super::tolerances::BAND_PIVOT;
 use crate::numerics::{dot, mapped};
 use crate::prelude::*;
@@ -52,8 +53,7 @@ impl Band {
         for (j, (column, x)) in self.entries.chunks_exact(height).zip(x).enumerate() {
             let first = j.saturating_sub(self.half_bandwidth);
             let column = &column[2 * self.half_bandwidth + first - j..];
-            let rows = &mut from[first..self.count.min(j + self.half_bandwidth + 1)];
-            rows.iter_mut().zip(column).for_each(|(sum, entry)| *sum -= entry * x);
+            add_times(&mut from[first..self.count.min(j + self.half_bandwidth + 1)], column, -x);
         }
     }
 
@@ -90,14 +90,14 @@ impl Band {
             last = last.max((k + pivot + half_bandwidth).min(count - 1));
             column.swap(0, pivot);
             let reciprocal = 1.0 / column[0];
-            column[1..].iter_mut().for_each(|x| *x *= reciprocal);
+            scale(&mut column[1..], reciprocal);
             let column = &column[1..];
             for (j, other) in (k + 1..=last).zip(behind.chunks_exact_mut(height)) {
                 let other = &mut other[2 * half_bandwidth + k - j..][..=below];
                 other.swap(0, pivot);
                 let top = other[0];
                 if top != 0.0 {
-                    other[1..].iter_mut().zip(column).for_each(|(x, factor)| *x -= factor * top);
+                    add_times(&mut other[1..], column, -top);
                 }
             }
         }
@@ -156,8 +156,7 @@ impl BandFactors {
             let (known, below) = (x[k], half_bandwidth.min(count - 1 - k));
             // A zero in the right-hand side changes no later row. The right-hand side of a single contact's force has many zeros.
             if known != 0.0 {
-                let factors = &self.column(k, 0)[1..];
-                x[k + 1..=k + below].iter_mut().zip(factors).for_each(|(x, factor)| *x -= factor * known);
+                add_times(&mut x[k + 1..=k + below], &self.column(k, 0)[1..], -known);
             }
         }
         self.back_substitute(x);
@@ -170,7 +169,7 @@ impl BandFactors {
             let column = self.column(k, above);
             x[k] /= column[above];
             let known = x[k];
-            x[k - above..k].iter_mut().zip(column).for_each(|(x, entry)| *x -= entry * known);
+            add_times(&mut x[k - above..k], column, -known);
         }
     }
 

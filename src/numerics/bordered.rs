@@ -9,6 +9,7 @@
 //! T is the stiffness of the object's balance for motions y, and c the column of the load factor z. The row gᵀ and the corner γ are the coefficients
 //! of the arclength. T alone becomes singular at a fold of the path (a maximum of the load factor), where the bordered matrix is regular.
 
+use super::add_times::add_times;
 use super::coordinates::{Indices, Square, Vector};
 
 /// LU factors with partial pivoting of a bordered matrix: d rows of the balance matrix T, then the border row.
@@ -83,9 +84,7 @@ impl Bordered {
         let below = behind.chunks_exact_mut(d).zip(&mut last[k + 1..]);
         for (below, below_last) in below.chain(core::iter::once((border, corner))) {
             let factor = below[k] * inverse;
-            for (x, top) in below[open.clone()].iter_mut().zip(row) {
-                *x -= factor * top;
-            }
+            add_times(&mut below[open.clone()], row, -factor);
             below[k] = factor;
             *below_last -= factor * top_last;
         }

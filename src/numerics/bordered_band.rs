@@ -9,6 +9,7 @@
 //! If T is nearly singular these formulas lose digits, which iterative refinement restores (W. Govaerts, Stable solvers and block elimination for
 //! bordered systems, SIAM J. Matrix Anal. Appl. 12, 1991). If T is singular, the caller factorises the whole bordered matrix.
 
+use super::add_times::add_times;
 use super::band::{Band, BandFactors};
 use crate::numerics::dot;
 use crate::prelude::*;
@@ -48,10 +49,10 @@ impl BorderedBand {
         for _ in 0..2 {
             left.copy_from_slice(&given);
             self.band.subtract_product(balance, &mut left);
-            left.iter_mut().zip(&self.cover).for_each(|(left, c)| *left -= c * z);
+            add_times(&mut left, &self.cover, -z);
             let missing = last - dot(&self.gradient, balance) - self.corner * z;
             z += self.solve_once(&mut left, missing);
-            balance.iter_mut().zip(&left).for_each(|(y, more)| *y += more);
+            add_times(balance, &left, 1.0);
         }
         z
     }
@@ -59,7 +60,7 @@ impl BorderedBand {
     fn solve_once(&self, b: &mut [f64], last: f64) -> f64 {
         self.factors.solve(b);
         let z = (last - dot(&self.gradient, b)) * self.inverse;
-        b.iter_mut().zip(&self.covered).for_each(|(y, covered)| *y -= covered * z);
+        add_times(b, &self.covered, -z);
         z
     }
 }

@@ -1,7 +1,7 @@
 //! Small linear systems by LU with complete pivoting: rank, kernels, and the part of a right-hand side outside the range.
 
 use super::tolerances::LINEARLY_DEPENDENT;
-use crate::numerics::{Indices, IntoList, Square, Vector};
+use crate::numerics::{Indices, IntoList, Reals, Square, Vector};
 use crate::prelude::*;
 
 /// Complete-pivoting LU of the block of the first `rows` rows and `cols` columns of a square matrix.
@@ -65,10 +65,10 @@ impl CompletePivoting {
         let (d, lu, order) = (self.lu.size().count(), self.lu.as_slice(), self.row_order.as_ref());
         let y = components.as_mut_slice();
         for i in 0..self.rows {
-            let known: f64 = (0..i.min(self.rank)).map(|j| lu[j * d + i] * y[j]).sum();
+            let known: f64 = (0..i.min(self.rank)).map(|j| lu[j * d + i] * y[j]).added();
             y[i] = b[order[i]] - known;
         }
-        let unreached = (self.rank..self.rows).map(|i| y[i].abs()).fold(0.0, f64::max);
+        let unreached = (self.rank..self.rows).map(|i| y[i].abs()).most();
         (self.back_substitute(&components), unreached)
     }
 
@@ -96,7 +96,7 @@ impl CompletePivoting {
                 let mut y = Vector::zeros();
                 y[free] = 1.0;
                 for j in (0..self.rank).rev() {
-                    y[j] = -(j + 1..self.rows).map(|i| y[i] * self.lu[(i, j)]).sum::<f64>();
+                    y[j] = -(j + 1..self.rows).map(|i| y[i] * self.lu[(i, j)]).added();
                 }
                 let mut z = Vector::zeros();
                 for i in 0..self.rows {
@@ -127,7 +127,7 @@ impl CompletePivoting {
         let (d, lu, order) = (self.lu.size().count(), self.lu.as_slice(), self.col_order.as_ref());
         let (s, found) = (s.as_mut_slice(), x.as_mut_slice());
         for i in (0..self.rank).rev() {
-            let known: f64 = (i + 1..self.rank).map(|j| lu[j * d + i] * s[j]).sum();
+            let known: f64 = (i + 1..self.rank).map(|j| lu[j * d + i] * s[j]).added();
             s[i] = (y[i] - known) / lu[i * d + i];
             found[order[i]] = s[i];
         }

@@ -10,6 +10,7 @@
 //!
 //! Source: the method DOP853 of Hairer, Nørsett and Wanner, Solving Ordinary Differential Equations I, second edition, section II.10.
 
+use super::add_times::add_times;
 use crate::prelude::*;
 
 /// A weighted sum of stages, as pairs of stage index and coefficient.
@@ -136,7 +137,7 @@ pub(crate) fn explicit_step(
     add_up(&stages, length, TABLEAU.fifth, &mut y);
     let fifth = size(&y);
     add_up(&stages, length, TABLEAU.third, &mut y);
-    y.iter_mut().zip(&change).for_each(|(third, best)| *third -= best);
+    add_times(&mut y, &change, -1.0);
     let third = size(&y);
     let scale = fifth.hypot(0.1 * third);
     // The factor 4 makes the estimate usually exceed the true error.
@@ -149,8 +150,7 @@ fn add_up(stages: &[f64], length: f64, sum: Sum, y: &mut [f64]) {
     let n = y.len();
     y.fill(0.0);
     for &(s, c) in sum {
-        let factor = length * c;
-        y.iter_mut().zip(&stages[s * n..]).for_each(|(y, k)| *y += factor * k);
+        add_times(y, &stages[s * n..], length * c);
     }
 }
 

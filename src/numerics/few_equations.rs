@@ -1,5 +1,7 @@
 //! A few linear equations that are solved once, in place, by elimination with exchanges of rows.
 
+use super::add_times::add_times;
+use super::mapped::largest;
 use super::tolerances::PARTIAL_PIVOT;
 
 /// Upper limit of the number of unknowns that [`solved`] can find.
@@ -12,10 +14,8 @@ pub(crate) type Equation = [f64; MOST_UNKNOWNS + 1];
 /// largest coefficient: the equations are then nearly singular.
 pub(crate) fn solved(equations: &mut [Equation]) -> Option<[f64; MOST_UNKNOWNS]> {
     let count = equations.len();
-    let mut largest = 0.0_f64;
-    for equation in equations.iter() {
-        equation[..count].iter().for_each(|x| largest = largest.max(x.abs()));
-    }
+    let size = |equation: &Equation| largest(&equation[..count], &|x| x.abs());
+    let largest = largest(equations, &size);
     for k in 0..count {
         let mut pivot = k;
         for i in k + 1..count {
@@ -34,7 +34,7 @@ pub(crate) fn solved(equations: &mut [Equation]) -> Option<[f64; MOST_UNKNOWNS]>
         let (top, reciprocal) = (&above[k], 1.0 / above[k][k]);
         for equation in below {
             let part = equation[k] * reciprocal;
-            equation.iter_mut().zip(top).for_each(|(x, top)| *x -= part * top);
+            add_times(equation, top, -part);
         }
     }
     let mut solution = [0.0; MOST_UNKNOWNS];

@@ -8,8 +8,14 @@ pub(crate) trait IntoList: Iterator + Sized {
     /// The elements, in order.
     fn list(mut self) -> Vec<Self::Item> {
         let mut all = const { Vec::new() };
+        self.append_to(&mut all);
+        all
+    }
+
+    /// Appends the elements to a list. The list is not owned here, so that this loop needs no code that drops it if the iterator panics.
+    fn append_to(&mut self, all: &mut Vec<Self::Item>) {
         loop {
-            let Some(element) = self.next() else { return all };
+            let Some(element) = self.next() else { return };
             all.push(element);
         }
     }

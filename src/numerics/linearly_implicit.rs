@@ -10,6 +10,7 @@
 //!
 //! Source: Hairer and Wanner, Solving Ordinary Differential Equations II, second edition, section IV.9.
 
+use super::add_times::{add_times, scale};
 use super::dormand_prince::Stepped;
 use crate::numerics::IntoList;
 use crate::prelude::*;
@@ -41,13 +42,9 @@ pub(crate) fn implicit_step<F: Fn(&mut [f64])>(
             } else {
                 rate(&y, &mut change)?;
             }
-            for x in &mut change {
-                *x *= part;
-            }
+            scale(&mut change, part);
             solve(&mut change);
-            for (y, change) in y.iter_mut().zip(&change) {
-                *y += change;
-            }
+            add_times(&mut y, &change, 1.0);
         }
         let mut row = vec![y.clone()];
         for k in 1..j {

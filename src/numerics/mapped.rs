@@ -17,8 +17,8 @@ pub(crate) fn mapped<'a, T, U>(list: &'a [T], f: &dyn Fn(&'a T) -> U) -> Vec<U> 
 /// `f` of the numbers from 0 to `count` − 1, in order.
 pub(crate) fn numbered<U>(count: usize, f: &dyn Fn(usize) -> U) -> Vec<U> {
     let mut all = Vec::with_capacity(count);
-    for k in 0..count {
-        all.push(f(k));
+    while all.len() < count {
+        all.push(f(all.len()));
     }
     all
 }

@@ -39,10 +39,12 @@
 //! | `pseudo_random` | reproducible pseudorandom numbers |
 //! | `square_root` | the square root of std under another name |
 //! | `mapped` | lists, sums and extremes over lists or index ranges |
+//! | `add_times` | sums and products of lists, in place |
 //! | `cleared_for` | emptying of lists before they are filled again |
 //! | `memory` | scratch buffers that one question leaves for the next |
 //! | `without_std` | replacements for std where it is missing |
 
+mod add_times;
 mod band;
 mod bordered;
 mod bordered_band;
@@ -77,6 +79,7 @@ mod partial_pivoting;
 mod positive_band;
 mod pseudo_random;
 mod ray_shooting;
+mod reals;
 mod regula_falsi;
 mod singular;
 mod space;
@@ -90,6 +93,7 @@ mod vector_dispatch;
 #[cfg(any(test, not(feature = "std")))]
 mod without_std;
 
+pub(crate) use add_times::{add_times, scale, scale_each};
 pub(crate) use band::{Band, BandFactors};
 pub(crate) use bordered::{Bordered, solved_once};
 pub(crate) use bordered_band::BorderedBand;
@@ -125,6 +129,7 @@ pub(crate) use partial_pivoting::PartialPivoting;
 pub(crate) use positive_band::PositiveBand;
 pub(crate) use pseudo_random::{Draw, generic};
 pub(crate) use ray_shooting::{RayExit, shoot};
+pub(crate) use reals::Reals;
 pub(crate) use regula_falsi::regula_falsi;
 pub(crate) use singular::{Singular, symmetric_eigen};
 pub(crate) use space::Space;

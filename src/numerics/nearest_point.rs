@@ -10,6 +10,8 @@
 //! At the closest point the residual `r = t - Σ s_k a_k` has `a·r <= 0` for every generator a, and `t·r = |r|²`. A nonzero r separates t from
 //! the cone.
 
+use super::add_times::add_times;
+use super::mapped::{chosen, lowest};
 use super::tolerances::LINEARLY_DEPENDENT;
 use crate::prelude::*;
 
@@ -37,10 +39,6 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
         }
     }
     (sums[0] + sums[1]) + (sums[2] + sums[3]) + crate::numerics::dot(&a[whole..], &b[whole..])
-}
-
-fn subtract(from: &mut [f64], factor: f64, what: &[f64]) {
-    from.iter_mut().zip(what).for_each(|(x, y)| *x -= factor * y);
 }
 
 impl<Tag: Copy + PartialEq> NearestPoint<Tag> {
@@ -99,7 +97,7 @@ impl<Tag: Copy + PartialEq> NearestPoint<Tag> {
             for (entry, q) in column.iter_mut().zip(before.chunks_exact(m)) {
                 let h = dot(q, w);
                 *entry += h;
-                subtract(w, h, q);
+                add_times(w, q, -h);
             }
             let left = dot(w, w).sqrt();
             // A column that keeps at least this fraction of its length when the projection is subtracted has lost at most one digit.
@@ -128,32 +126,30 @@ impl<Tag: Copy + PartialEq> NearestPoint<Tag> {
     pub(crate) fn move_to_closest(&mut self, target: &[f64]) {
         loop {
             let unconstrained = self.unbounded();
-            let blocks = |k: &usize| unconstrained[*k] <= 0.0;
+            let blocking = chosen(unconstrained.len(), &|k| unconstrained[*k] <= 0.0);
             let part = |k: usize| {
                 let coefficient = self.coefficients[k];
                 if coefficient > 0.0 { coefficient / (coefficient - unconstrained[k]) } else { 0.0 }
             };
-            let first = (0..unconstrained.len()).filter(blocks).min_by(|&a, &b| part(a).total_cmp(&part(b)));
-            let Some(first) = first else {
+            let Some(&first) = lowest(&blocking, &|k| part(*k)) else {
                 self.coefficients = unconstrained;
                 break;
             };
             let part = part(first);
-            self.coefficients
-                .iter_mut()
-                .zip(&unconstrained)
-                .for_each(|(coefficient, to)| *coefficient += part * (to - *coefficient));
+            for (coefficient, to) in self.coefficients.iter_mut().zip(&unconstrained) {
+                *coefficient += part * (to - *coefficient);
+            }
             self.remove(first);
         }
         self.residual.copy_from_slice(target);
         for (q, h) in self.q.chunks_exact(self.size).zip(&self.components) {
-            subtract(&mut self.residual, *h, q);
+            add_times(&mut self.residual, q, -h);
         }
         // The projection on the columns of Q is subtracted a second time. Even a small residual is then orthogonal to them, relative to its own
         // length.
         for q in self.q.chunks_exact(self.size) {
             let h = dot(q, &self.residual);
-            subtract(&mut self.residual, h, q);
+            add_times(&mut self.residual, q, -h);
         }
     }
 
@@ -164,7 +160,7 @@ impl<Tag: Copy + PartialEq> NearestPoint<Tag> {
             let column = &self.r[self.size * j..][..=j];
             coefficients[j] /= column[j];
             let (above, at) = coefficients.split_at_mut(j);
-            subtract(above, at[0], column);
+            add_times(above, column, -at[0]);
         }
         coefficients
     }

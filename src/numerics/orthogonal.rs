@@ -11,7 +11,7 @@ use super::gram_schmidt::factorise;
 use super::orthonormal_set::orthonormalise_against;
 use super::pairwise::in_halves;
 use super::tolerances::FEW_ROUNDINGS;
-use crate::numerics::summed;
+use crate::numerics::{Reals, summed};
 use crate::prelude::*;
 
 /// Factors `A Π = Q [R11 R12; 0 0]` of an `m x D` matrix A of rank r. Q is `m x r` with orthonormal columns, R11 is upper triangular `r x r`,
@@ -141,7 +141,7 @@ impl Orthogonal {
         let (d, r, over) = (self.size().count(), self.r.as_slice(), self.over_diagonal.as_slice());
         let (y, found, order) = (y.as_mut_slice(), v.as_mut_slice(), self.order.as_ref());
         for i in (0..self.rank).rev() {
-            let known: f64 = (i + 1..self.rank).map(|j| r[j * d + i] * y[j]).sum();
+            let known: f64 = (i + 1..self.rank).map(|j| r[j * d + i] * y[j]).added();
             y[i] = (c[i] - known) * over[i];
             found[order[i]] = y[i];
         }
@@ -156,7 +156,7 @@ impl Orthogonal {
         let (d, r, over) = (self.size().count(), self.r.as_slice(), self.over_diagonal.as_slice());
         let (y, order) = (found.as_mut_slice(), self.order.as_ref());
         for i in 0..self.rank {
-            let known: f64 = (0..i).map(|j| r[i * d + j] * y[j]).sum();
+            let known: f64 = (0..i).map(|j| r[i * d + j] * y[j]).added();
             y[i] = (w[order[i]] - known) * over[i];
         }
         found

@@ -2,6 +2,7 @@
 //!
 //! With entries up to b positions from the diagonal, n rows cost ½ n b² multiplications, a quarter of the cost for an unsymmetric band.
 
+use super::add_times::add_times;
 use super::tolerances::POSITIVE_PIVOT;
 use crate::numerics::{IntoList, dot};
 use crate::prelude::*;
@@ -50,7 +51,7 @@ impl PositiveBand {
             for (k, other) in behind.chunks_exact_mut(height).take(height - 1).enumerate() {
                 let factor = below[k];
                 if factor != 0.0 {
-                    other.iter_mut().zip(&below[k..]).for_each(|(x, y)| *x -= factor * y);
+                    add_times(other, &below[k..], -factor);
                 }
             }
         }
@@ -62,7 +63,7 @@ impl PositiveBand {
         for (k, column) in self.entries.chunks_exact(self.height).enumerate() {
             x[k] /= column[0];
             let known = x[k];
-            x[k + 1..].iter_mut().zip(&column[1..]).for_each(|(x, entry)| *x -= entry * known);
+            add_times(&mut x[k + 1..], &column[1..], -known);
         }
         for (k, column) in self.entries.chunks_exact(self.height).enumerate().rev() {
             let known: f64 = dot(&x[k + 1..], &column[1..]);

@@ -9,6 +9,7 @@ use super::coordinates::{Size, Square, Vector};
 use super::partial_pivoting::PartialPivoting;
 use super::support::{SupportFunction, Vertex, middle};
 use super::tolerances::BEYOND_PLANE;
+use crate::numerics::Reals;
 use crate::prelude::*;
 
 /// Bounds for the point where the ray from the middle of a simplex to a target leaves a convex set. As a fraction of the way from the middle to
@@ -99,7 +100,7 @@ fn first_face(simplex: &[Vertex], origin: &Vector, ray: &Vector) -> Option<(Vec<
         vertices.remove(without);
         let Some(solver) = PartialPivoting::new(&matrix(&vertices, origin)) else { continue };
         let coefficients = solver.solve(ray);
-        let least = coefficients.iter().copied().fold(f64::INFINITY, f64::min);
+        let least = coefficients.iter().copied().least();
         if best.as_ref().is_none_or(|(_, _, most)| least >= *most) {
             best = Some((vertices, coefficients, least));
         }

@@ -4,6 +4,7 @@
 //! product of all rotations is the matrix of right singular vectors. Small singular values keep their relative accuracy. One function serves matrices
 //! of every shape.
 
+use super::reals::Reals;
 use nalgebra::{DMatrix, DVector};
 
 use super::increasing::increasing;
@@ -115,10 +116,7 @@ fn rotate(columns: &mut DMatrix<f64>, i: usize, j: usize, tangent: f64) {
 pub(crate) fn symmetric_eigen(matrix: &DMatrix<f64>) -> (Vec<f64>, DMatrix<f64>) {
     // No eigenvalue exceeds the largest sum of absolute values along a row. With this sum added to the diagonal no eigenvalue is negative, so
     // that eigenvalues are singular values.
-    let mut shift = 0.0_f64;
-    for row in matrix.row_iter() {
-        shift = shift.max(row.lp_norm(1));
-    }
+    let shift = matrix.row_iter().map(|row| row.lp_norm(1)).most();
     let mut moved = matrix.clone();
     for k in 0..matrix.nrows() {
         moved[(k, k)] += shift;

@@ -8,7 +8,7 @@ use super::answer::{Equilibrium, LocalAnswer};
 use super::cone::Cone;
 use crate::contact::State;
 use crate::grasp::{Engine, Wrench};
-use crate::numerics::{Draw, IntoList, Vector};
+use crate::numerics::{Draw, IntoList, Reals, Vector, add_times};
 use crate::object::{ForcesAndTwist, LinearProblem, Load, PreciseTwist, Problem};
 use crate::prelude::*;
 use crate::search::FoundBy;
@@ -58,7 +58,7 @@ impl Engine {
         let linear_problem = LinearProblem::new(&problem, &states);
         let largest = problem.largest_force(&at.forces, &at.twist);
         let missing = linear_problem.correction(&problem, &states, (&at.forces, &twist), largest);
-        let size = |forces: &[SVector<f64, 3>]| forces.iter().map(nalgebra::Matrix::norm).fold(0.0, f64::max);
+        let size = |forces: &[SVector<f64, 3>]| forces.iter().map(nalgebra::Matrix::norm).most();
         let mut displacement = 0.0_f64;
         for (i, site) in self.sites().iter().enumerate() {
             let moved = site.map.tr_mul(&missing.twist).norm();
@@ -69,13 +69,11 @@ impl Engine {
         let varied = |pattern| {
             let variation = Variation::new(self, &equilibrium.load, &problem, &states, &at, pattern);
             let mut forces = linear_problem.forces_of(&variation.stretches, &variation.load);
-            for (force, friction_change) in forces.iter_mut().zip(&variation.friction_changes) {
-                *force += friction_change;
-            }
+            add_times(&mut forces, &variation.friction_changes, 1.0);
             size(&forces)
         };
         // All given numbers of grasp, commands and load are varied together, three times, each time with another pattern of signs.
-        let most = (0..3).map(varied).fold(0.0, f64::max);
+        let most = (0..3).map(varied).most();
         Some(Accuracy {
             force: size(&missing.forces) + missing.doubt,
             displacement,

@@ -7,7 +7,7 @@ use super::answer::Outcome;
 use crate::error::Error;
 use crate::grasp::{Contact, Engine, Wrench};
 use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
-use crate::numerics::{IntoList, mapped};
+use crate::numerics::{IntoList, Reals, mapped};
 use crate::prelude::*;
 use crate::search::Settings;
 
@@ -28,11 +28,8 @@ impl Engine {
         let mut missing = self.missing(&commands, &pressed)?;
         // Upper limit of Newton steps. One step is enough while no contact changes its state; each change of state may take one more step.
         for _ in 0..20 {
-            let worst = missing
-                .iter()
-                .zip(&pressed)
-                .map(|(missing, (_, force))| missing.abs() / force)
-                .fold(0.0, f64::max);
+            let worst =
+                missing.iter().zip(&pressed).map(|(missing, (_, force))| missing.abs() / force).most();
             // Newton's method ends once the error of every tension, relative to that tension, is at most `SOLVED_ROUNDING`.
             if worst <= SOLVED_ROUNDING {
                 break;
@@ -73,8 +70,8 @@ impl Engine {
         // A slack link has no tension, whatever its command. Its gap times its stiffness is then added to the missing tension (given minus present
         // tension). The missing tension thus depends on the command, as Newton's method needs.
         let slack = |i: usize| state.contacts[i].gap.max(0.0) * self.contacts()[i].stiffness.series()[0];
-        let each = pressed.iter().map(|(i, force)| force - state.contacts[*i].normal_force() + slack(*i));
-        Ok(DVector::from_iterator(pressed.len(), each))
+        let each = |(i, force): &(usize, f64)| force - state.contacts[*i].normal_force() + slack(*i);
+        Ok(DVector::from_vec(mapped(pressed, &each)))
     }
 
     fn not_held(&self, contact: usize, force: f64) -> Error {

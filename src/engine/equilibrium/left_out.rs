@@ -195,9 +195,11 @@ impl Engine {
             let length = |k: usize| self.rotation_length(first, k);
             let of_body = self.stiffness_of_arms(body, &centre, forces, &loads[body]);
             let axis = |k: usize| if axes == 3 { k } else { 2 };
-            for (k, l) in (0..object - axes).flat_map(|k| (0..object - axes).map(move |l| (k, l))) {
-                stiffness[(first + axes + k, first + axes + l)] =
-                    of_body[(axis(k), axis(l))] / (length(k) * length(l));
+            for k in 0..object - axes {
+                for l in 0..object - axes {
+                    stiffness[(first + axes + k, first + axes + l)] =
+                        of_body[(axis(k), axis(l))] / (length(k) * length(l));
+                }
             }
         }
         if let Some(linkage) = self.linkage() {
@@ -303,8 +305,10 @@ const LEAST_TAKEN: f64 = 0.5;
 /// Adds the stiffness `largest` to the stiffness matrix along the motions that springs do not resist; `resisted` is the projection on all others.
 pub(super) fn add_to_free_motions(stiffness: &mut Square, (resisted, largest): (&Square, f64)) {
     let count = stiffness.size().count();
-    for (i, j) in (0..count).flat_map(|j| (0..count).map(move |i| (i, j))) {
-        stiffness[(i, j)] += largest * (if i == j { 1.0 } else { 0.0 } - resisted[(i, j)]);
+    for j in 0..count {
+        for i in 0..count {
+            stiffness[(i, j)] += largest * (if i == j { 1.0 } else { 0.0 } - resisted[(i, j)]);
+        }
     }
 }
 
@@ -317,7 +321,9 @@ fn is_stable((elastic, geometric): &(Square, Square), times: f64) -> bool {
 pub(super) fn positive_factors(count: usize, entry: &dyn Fn(usize, usize) -> f64) -> Option<PositiveBand> {
     let mut factors = PositiveBand::zeros(count, count - 1);
     for j in 0..count {
-        (j..count).for_each(|i| factors.add(i, j, entry(i, j)));
+        for i in j..count {
+            factors.add(i, j, entry(i, j));
+        }
     }
     factors.factor().map(|()| factors)
 }

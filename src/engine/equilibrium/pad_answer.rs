@@ -8,7 +8,7 @@ use super::answer::Equilibrium;
 use super::contact_answer::{ContactAnswer, ContactState};
 use crate::error::ContactLabel;
 use crate::grasp::{ContactPoints, Engine, Space, Wrench};
-use crate::numerics::{IntoList, Vector, counted, picked};
+use crate::numerics::{IntoList, Reals, Vector, counted, picked};
 use crate::prelude::*;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
@@ -188,7 +188,7 @@ impl Engine {
                 sliding: count(|state| matches!(state, ContactState::Sliding { .. })),
                 open: count(|state| matches!(state, ContactState::Separated)),
                 wrench: self.wrench_of_pad(of, range.start, &middle),
-                margin: of.iter().map(|contact| contact.margin).sum(),
+                margin: of.iter().map(|contact| contact.margin).added(),
             })
         })
     }

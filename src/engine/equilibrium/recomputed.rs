@@ -9,7 +9,7 @@ use super::contact_answer::{ContactAnswer, ContactState};
 use super::residuals::Residuals;
 use crate::contact::{Coulomb, Polygon, SMALLEST};
 use crate::grasp::{Engine, Hold, Site, Wrench};
-use crate::numerics::{IntoList, Vector, numbered};
+use crate::numerics::{IntoList, Reals, Vector, numbered};
 use crate::object::{NO_FORCE, Problem, least_spring_force};
 use crate::prelude::*;
 use crate::search::SearchSolution;
@@ -100,7 +100,7 @@ impl Engine {
         }
         let load_force = load.force_part();
         let object = self.space().of_the_object();
-        let turned: f64 = twist.iter().take(object).skip(self.space().axes()).map(|x| x.abs()).sum();
+        let turned: f64 = twist.iter().take(object).skip(self.space().axes()).map(|x| x.abs()).added();
         let translated = self.space().object_alone(twist);
         // The offsets of the contact springs already contain the slip `problem.slips` that was accumulated on a load path. The contact law holds
         // for the remaining slip.
@@ -127,7 +127,7 @@ impl Engine {
         // The displacements of a contact that hardly moves may be rounding of larger displacements elsewhere. The divisor of its residuals is
         // therefore at least 1e-20 of the largest divisor of all contacts. It is also at least the stretch of the stiffest spring under the largest
         // force.
-        let still = 1e-20 * displacement_sizes.iter().copied().fold(0.0, f64::max);
+        let still = 1e-20 * displacement_sizes.iter().copied().most();
         let still = still.max(problem.least_stretch(largest));
         for displacement_size in &mut displacement_sizes {
             *displacement_size = displacement_size.max(still);
@@ -231,7 +231,7 @@ impl Engine {
                 add(k, site.map.row(k).dot(force));
             }
         }
-        (object..count).map(|k| sums[k].abs() / sizes[k].max(force_size)).fold(0.0, f64::max)
+        (object..count).map(|k| sums[k].abs() / sizes[k].max(force_size)).most()
     }
 
     /// Relative imbalance of the forces and moments on the object. The imbalance is divided by the sum of the absolute values of its terms, plus
@@ -266,7 +266,7 @@ impl Engine {
         // lever arm.
         moment_size += force_size * self.length();
         let force = space.linear_part::<3>(&sum).norm();
-        let moment = sum.iter().take(space.of_the_object()).skip(axes).map(|m| m * m).sum::<f64>().sqrt();
+        let moment = sum.iter().take(space.of_the_object()).skip(axes).map(|m| m * m).added().sqrt();
         let relative = |residual: f64, size: f64| residual / size.max(SMALLEST);
         relative(force, force_size).max(relative(moment, moment_size))
     }

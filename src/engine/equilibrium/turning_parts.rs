@@ -128,9 +128,11 @@ impl<'e> TurningParts<'e> {
         for (body, arms) in self.bodies.iter().zip(arms) {
             let of_body = arms.stiffness().unwrap_or_default();
             let axis = |k: usize| if axes == 3 { k } else { 2 };
-            for (k, l) in (0..planes.len()).flat_map(|k| (0..planes.len()).map(move |l| (k, l))) {
-                stiffness[(body.first + axes + k, body.first + axes + l)] +=
-                    share * of_body[(axis(k), axis(l))] / (body.lengths[k] * body.lengths[l]);
+            for k in 0..planes.len() {
+                for l in 0..planes.len() {
+                    stiffness[(body.first + axes + k, body.first + axes + l)] +=
+                        share * of_body[(axis(k), axis(l))] / (body.lengths[k] * body.lengths[l]);
+                }
             }
         }
         if let Some((resisted, largest)) = &self.resisted {

@@ -11,7 +11,7 @@ use crate::contact::{LocalLaw, Mode, State, ZERO_SLACK};
 use crate::forms::{OmissionReason, OmittedPairs};
 use crate::grasp::{Contact, Coordinates, Engine, Hold, Stiffness, Twist, Wrench};
 use crate::numerics::tolerances::NEGLIGIBLE;
-use crate::numerics::{IntoList, Vector, by_axis, mapped};
+use crate::numerics::{IntoList, Reals, Vector, by_axis, mapped};
 use crate::object::Problem;
 use crate::prelude::*;
 use crate::search::{FoundBy, SearchCounts, SearchSolution};
@@ -41,10 +41,10 @@ impl Engine {
         let motions = |list: &[Vector]| mapped(list, &|v| self.motion_outside(v));
         let drive_forces = found.forces[self.len()..].to_vec();
         let stored = contacts.iter().zip(self.sites()).map(|(c, site)| site.springs.stored(&c.force));
-        let mut stored_energy: f64 = stored.sum();
+        let mut stored_energy: f64 = stored.added();
         if let Some(linkage) = self.linkage() {
             let stored = linkage.drives.iter().zip(&drive_forces).map(|(drive, force)| drive.stored(force));
-            stored_energy += stored.sum::<f64>();
+            stored_energy += stored.added();
         }
         let (joints, tendons) = self.hand_answers(problem, &found);
         let leaks = || self.leaking_cup(&|i| found.states[i].is_open()).map(|cup| TooFar::Leaks { cup });

@@ -11,7 +11,7 @@ use nalgebra::{DMatrix, DVector, SVector};
 use super::rows::{Form, Row};
 use crate::contact::{LocalLaw, Mode, State};
 use crate::lcp::{Basis, Lcp};
-use crate::numerics::{IntoList, Map, Square, Vector};
+use crate::numerics::{IntoList, Map, Reals, Square, Vector};
 use crate::object::Problem;
 use crate::prelude::*;
 
@@ -197,7 +197,7 @@ impl<'p, 'g> Builder<'p, 'g> {
             for (l, other) in corners.iter().enumerate() {
                 let bent = (1..local.springs.axes())
                     .map(|axis| d[axis] * other[axis] * local.springs.ratio(1, axis));
-                m[(row, next + l)] = bent.sum();
+                m[(row, next + l)] = bent.added();
             }
             couple(m, row, &site.map * d * root_t, true);
         }

@@ -17,7 +17,7 @@ use nalgebra::SVector;
 use super::rows::{Form, Row};
 use crate::contact::{LocalLaw, Mode, State, tangential};
 use crate::lcp::{Basis, Lcp};
-use crate::numerics::{IntoList, mapped, matrix_of, numbered, total, vector_of};
+use crate::numerics::{Each, IntoList, all_some, mapped, matrix_of, numbered, total, vector_of};
 use crate::object::{ForcesAndTwist, LinearProblem, Problem};
 use crate::prelude::*;
 
@@ -68,10 +68,8 @@ pub(crate) fn kinematic_form(
         return None;
     }
     if trial.is_banded() {
-        let mut displacements = Vec::with_capacity(jumps.len());
-        for jump in &jumps {
-            displacements.push(trial.displacements_under(jump.contact, &jump.column)?);
-        }
+        let of_jump = |jump: &GapOrSlip| trial.displacements_under(jump.contact, &jump.column);
+        let displacements = all_some(jumps.iter().map(of_jump))?;
         return form(problem, state, rows, &jumps, &|i, j| {
             trial.weighted_stretch(jumps[i].contact, &jumps[i].row, &displacements[j])
         });
@@ -81,9 +79,7 @@ pub(crate) fn kinematic_form(
     let mut transformed = Vec::with_capacity(jumps.len());
     for of_contact in jumps.chunk_by(|a, b| a.contact == b.contact) {
         let by_contact = trial.factor_rows(of_contact[0].contact);
-        for jump in of_contact {
-            transformed.push([&by_contact * jump.row, &by_contact * jump.column]);
-        }
+        transformed.extend(mapped(of_contact, &|jump| [jump.row, jump.column].each(|v| &by_contact * v)));
     }
     form(problem, state, rows, &jumps, &|i, j| transformed[i][0].dot(&transformed[j][1]))
 }

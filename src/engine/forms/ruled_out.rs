@@ -2,7 +2,7 @@
 //! unknowns are gaps and slips, and the slacks are normal forces and friction margins `μ F_n - h·F_t` at facets with normals h. The pairs of the form
 //! need not include all contacts. Only a solution with all contacts shows whether the states that the test does not exclude satisfy every condition.
 
-use crate::numerics::{matrix_of, vector_of};
+use crate::numerics::{Reals, matrix_of, vector_of};
 
 use super::rows::{Form, Row};
 use crate::contact::{Mode, State};
@@ -43,7 +43,7 @@ pub(crate) fn clearly_breaks(form: &Form, is_planar: bool, states: &[State], lar
     // An unknown or slack is clearly negative if it is below minus the fraction `NEGLIGIBLE` of the largest force, gap or slip (scaled). Rounding
     // errors of the kinematic form are far smaller, some 1e-14 of the largest.
     let broken = -NEGLIGIBLE * largest.max(most);
-    let w = |i: usize| q[i] + jumps.iter().zip(z.iter()).map(|((j, _), z)| m[(i, *j)] * z).sum::<f64>();
+    let w = |i: usize| q[i] + jumps.iter().zip(z.iter()).map(|((j, _), z)| m[(i, *j)] * z).added();
     jumps.iter().zip(z.iter()).any(|((_, has_sign), z)| *has_sign && *z < broken)
         || slack.into_iter().any(|i| w(i) < broken)
 }

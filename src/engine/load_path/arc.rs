@@ -14,7 +14,7 @@
 //! The null vector of `[T | -b]` is the direction of the path. It stays smooth where the load has a maximum and T is singular. One more row below
 //! this matrix, transverse to the path, makes it regular even at such a maximum. A free motion is a motion that no spring resists.
 
-use crate::numerics::{Each, IntoList, Once, Vector, by_axis};
+use crate::numerics::{Each, IntoList, Once, Reals, Vector, add_times, by_axis, chosen, mapped};
 use nalgebra::{Matrix, SVector};
 
 use super::path_stiffness::{NarrowOrder, PathFactors, PathStiffness};
@@ -90,7 +90,7 @@ impl<'s, 'g> Arc<'s, 'g> {
         free_motions: impl IntoIterator<Item = (&'m Vector, f64)>,
         (unit, fixed): (f64, SharedTerms),
     ) -> Self {
-        let sliding = (0..states.len()).filter(|&i| states[i].slides()).list();
+        let sliding = chosen(states.len(), &|i| states[*i].slides());
         let driven = segment.change.iter().any(|a| a.norm() > 0.0);
         let free_motions = free_motions.into_iter().map(|(v, rate)| (v.clone(), rate)).list();
         Self { segment, states, sliding, unit, free_motions, fixed, driven }
@@ -294,7 +294,7 @@ impl<'s, 'g> Arc<'s, 'g> {
             let tangents = self.tangents(frictions.iter().copied());
             let (bordered, _) = self.bordered(&tangents, factor, across)?;
             let mut forces = self.forces_at(&twist, factor, &frictions);
-            let initial_force: f64 = forces.iter().map(Matrix::norm).sum();
+            let initial_force: f64 = forces.iter().map(Matrix::norm).added();
             let mut ended = None;
             // At most six Newton corrections. After a step along the path, friction forces are off their cones by the error of the step. `forces_at`
             // puts them back on their cones, so that forces are out of balance. The first correction restores the balance, and leaves friction forces
@@ -314,8 +314,7 @@ impl<'s, 'g> Arc<'s, 'g> {
                 }
                 twist += &change.twist;
                 factor += change.factor;
-                let rates = self.force_rates(&tangents, &change);
-                forces.iter_mut().zip(&rates).for_each(|(force, rate)| *force += rate);
+                add_times(&mut forces, &self.force_rates(&tangents, &change), 1.0);
             }
             let carried = ended?;
             let off = self.off_the_cones(&forces);
@@ -329,10 +328,7 @@ impl<'s, 'g> Arc<'s, 'g> {
             // The correction is then repeated with the new directions of friction.
             let is_on_them = off <= SLACK_ON_AN_ARC * carried;
             if !is_on_them {
-                self.sliding
-                    .iter()
-                    .zip(&mut frictions)
-                    .for_each(|(&i, friction)| *friction = tangential(&forces[i]));
+                frictions = mapped(&self.sliding, &|i| tangential(&forces[*i]));
             }
             // If the correction has reduced the sum of contact forces to less than a quarter, the result still has the rounding errors of the larger
             // forces. It is not accepted but corrected again.

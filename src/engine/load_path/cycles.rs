@@ -16,7 +16,7 @@ use crate::equilibrium::{Equilibrium, TooFar};
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
 use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
-use crate::numerics::{IntoList, Vector, largest, numbered};
+use crate::numerics::{IntoList, Reals, Vector, add_times, largest, numbered};
 use crate::prelude::*;
 use crate::search::{Doubt, Settings};
 
@@ -74,7 +74,7 @@ impl CycleRecord {
     /// Extends this record over the next cycle `next`: adds the totals of that cycle, and replaces each largest or smallest value by that over both
     /// cycles.
     pub(crate) fn append(&mut self, next: &Self) {
-        self.slid.iter_mut().zip(&next.slid).for_each(|(slid, more)| *slid += more);
+        add_times(&mut self.slid, &next.slid, 1.0);
         self.dissipated += next.dissipated;
         self.largest = self.largest.max(next.largest);
         let both = |a: Option<f64>, b: Option<f64>| Some(a?.min(b?));
@@ -124,7 +124,7 @@ impl<'g> Cycles<'g> {
         let largest = largest(&from.forces, &Matrix::norm);
         let begin = Following::start(grasp, (&self.base, &self.legs), settings, |run, problem| {
             let mut slipped = problem.clone();
-            slipped.offsets.iter_mut().zip(&from.slips).for_each(|(offset, slip)| *offset -= slip);
+            add_times(&mut slipped.offsets, &from.slips, -1.0);
             slipped.slips.clone_from(&from.slips);
             slipped.cones = from.cones(grasp);
             // If a contact has to slide at once, `from` is no equilibrium with these slips, and no search is needed.
@@ -212,7 +212,7 @@ impl<'g> Cycles<'g> {
         let n = slips_at_the_end.len();
         let mut record = CycleRecord {
             slid: vec![0.0; n],
-            dissipated: energies.iter().map(|leg| leg.dissipated).sum(),
+            dissipated: energies.iter().map(|leg| leg.dissipated).added(),
             largest: 0.0,
             open: vec![Some(f64::INFINITY); n],
             largest_gap: vec![0.0; n],

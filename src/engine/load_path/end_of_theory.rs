@@ -7,6 +7,7 @@ use super::path::LoadPath;
 use super::small_motions::EndOfSmallMotions;
 use crate::equilibrium::TooFar;
 use crate::grasp::Wrench;
+use crate::numerics::IntoList;
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::prelude::*;
 
@@ -54,11 +55,12 @@ pub(super) fn places<const C: usize, T>(path: &dyn AnyPath<C, T>, end: (usize, f
     for leg in 0..=end.0 {
         let to = if leg == end.0 { end.1 } else { 1.0 };
         let parts = if turns(leg, to) { PARTS_OF_A_TURN } else { 1 };
-        places.extend((1..=parts).map(|k| (leg, to * f64::from(k) / f64::from(parts))));
+        (1..=parts).map(|k| (leg, to * f64::from(k) / f64::from(parts))).append_to(&mut places);
     }
     // Just before a slip nothing slides, so that finite rotations are asked there.
-    let before_a_slip = path.sticks_until().map(|(leg, fraction)| (leg, fraction * (1.0 - NEGLIGIBLE)));
-    if let Some(last) = before_a_slip.filter(|last| *last < end) {
+    let slips_at = path.sticks_until().filter(|(_, fraction)| *fraction < 1.0);
+    let before_it = slips_at.map(|(leg, fraction)| (leg, fraction * (1.0 - NEGLIGIBLE)));
+    if let Some(last) = before_it.filter(|last| *last < end) {
         places.insert(places.partition_point(|place| *place < last), last);
     }
     places.dedup();

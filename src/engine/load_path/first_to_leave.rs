@@ -17,7 +17,7 @@ use crate::contact::{ActiveSet, Exit, Line, LocalLaw, SpringState};
 use crate::equilibrium::ACCURATE;
 use crate::grasp::{Site, Wrench};
 use crate::numerics::tolerances::NEGLIGIBLE;
-use crate::numerics::{Harmonic, Vector, cleared_for};
+use crate::numerics::{Harmonic, Vector, add_times, cleared_for};
 use crate::object::{ForcesAndTwist, Imbalance};
 use crate::search::{FoundBy, SearchSolution};
 
@@ -56,7 +56,7 @@ pub(super) fn first_to_leave(segment: &Segment<'_>, memory: &mut OnsetMemory) ->
     }
     factor += more;
     there.twist += &rate.twist * more;
-    there.forces.iter_mut().zip(&rate.forces).for_each(|(force, rate)| *force += rate * more);
+    add_times(&mut there.forces, &rate.forces, more);
     Some(FirstToLeave { factor, contact, exit, there: core::mem::take(there) })
 }
 

@@ -24,7 +24,9 @@ use super::trajectory::Trajectory;
 use super::watched_condition::is_vanishing;
 use crate::contact::{State, Tangent, tangential, tangential_norm};
 use crate::numerics::tolerances::NEGLIGIBLE;
-use crate::numerics::{Each, IntoList, Size, Stepped, Vector, explicit_step, implicit_step, mapped, summed};
+use crate::numerics::{
+    Each, IntoList, Reals, Size, Stepped, Vector, explicit_step, implicit_step, mapped, summed,
+};
 use crate::object::{ForcesAndTwist, largest_force};
 use crate::prelude::*;
 
@@ -128,10 +130,7 @@ impl<'s, 'g> Flow<'s, 'g> {
         let forces = mapped(&point.lines, &|line| line.force.norm());
         let force =
             largest_force(sites, &offsets, &point.twist, load, forces.into_iter()).max(segment.largest);
-        let mut span = 0.0_f64;
-        for (site, a) in sites.iter().zip(&offsets) {
-            span = span.max(site.span(a, &point.twist));
-        }
+        let span = sites.iter().zip(&offsets).map(|(site, a)| site.span(a, &point.twist)).most();
         let sizes = [force, span];
         // Along motions that no spring resists, the balance of forces does not determine the velocity of the object. The object keeps its present
         // velocity along them.
@@ -161,7 +160,7 @@ impl<'s, 'g> Flow<'s, 'g> {
     /// The largest rate at which the friction force of a sliding contact turns towards its slip, per unit of arclength. Zero if all
     /// [`Self::relaxations`] are negative.
     pub(super) fn fastest_relaxation(&self) -> f64 {
-        self.relaxations().map(|(_, rate)| rate).fold(0.0, f64::max)
+        self.relaxations().map(|(_, rate)| rate).most()
     }
 
     /// For each sliding contact its index and the rate, per unit of arclength, at which its friction force at the start turns towards its slip. The
@@ -339,14 +338,14 @@ impl<'s, 'g> Flow<'s, 'g> {
         let [force, travel] = [0, 1].each(size);
         let (of_frictions, others) = error.split_at(2 * self.arc.sliding.len());
         let norm = |part: &[f64]| summed(part, &|e| e * e).sqrt();
-        let of_forces = of_frictions.chunks_exact(2).map(norm).fold(0.0, f64::max);
+        let of_forces = of_frictions.chunks_exact(2).map(norm).most();
         let with_sizes = of_frictions.chunks_exact(2).zip(&self.begin).zip(&self.vanishing);
         let vanishing = with_sizes.filter(|(_, vanishes)| **vanishes).map(|(of_one, _)| of_one);
         // An error of a friction force is compared with the largest force. For a vanishing friction force, 1e-6 times its error is also compared with
         // the force itself. The error of this force's direction is thus at most 1e6 times the allowed error of a step; without this comparison it has
         // no bound.
         let of_itself = |(error, friction): (&[f64], &SVector<f64, 3>)| 1e-6 * norm(error) / friction.norm();
-        let of_themselves = vanishing.map(of_itself).fold(0.0, f64::max);
+        let of_themselves = vanishing.map(of_itself).most();
         let of_load = others[count].abs() * self.arc.load_rate(self.from);
         (norm(&others[..count]) / travel).max(of_forces / force).max(of_load / force).max(of_themselves)
     }

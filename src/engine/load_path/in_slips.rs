@@ -33,7 +33,8 @@ use crate::equilibrium::{CountedMotion, MotionData, farthest};
 use crate::grasp::{Engine, Hold, Site};
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::numerics::{
-    Equation, MOST_UNKNOWNS, Vector, any_index, cleared_for, largest, numbered, solved, summed,
+    Equation, MOST_UNKNOWNS, Reals, Vector, add_times, any_index, cleared_for, largest, numbered, scale,
+    solved, summed,
 };
 use crate::prelude::*;
 use crate::search::Settings;
@@ -228,9 +229,7 @@ impl Slips<'_> {
         if slips.iter().all(|slip| *slip > 0.0) {
             // The unit of slip is chosen so that slips and load factor have equal weight in the arclength at the start of sliding.
             self.unit = summed(slips, &|slip| slip * slip).sqrt();
-            for rate in rates.iter_mut() {
-                *rate *= core::f64::consts::FRAC_1_SQRT_2;
-            }
+            scale(rates, core::f64::consts::FRAC_1_SQRT_2);
             return Some(SlipEnd::Held);
         }
         // The path may instead continue so that only some of the contacts in `sliding` slip. Bit i of `combination`, from 0, is set if the contact
@@ -291,14 +290,12 @@ impl Slips<'_> {
         let mut change = Vec::new();
         ramp.offset_changes_into(self.grasp, &mut change).ok()?;
         let (mut problem, rate) = (self.problem.clone(), self.grasp.inside(&ramp.direction, "").ok()?);
-        let largest = (0..self.contacts()).map(|i| self.force(i, at).norm()).fold(0.0, f64::max);
+        let largest = (0..self.contacts()).map(|i| self.force(i, at).norm()).most();
         let base = self.grasp.load_alone(&ramp.base, "").ok()?;
         let most = largest.max((&base + &rate * at[1]).norm());
         let beyond = at[1] + a_little(self.grasp.sites(), &change, rate.clone(), most);
         problem.wrench = base + rate * beyond;
-        for (offset, change) in problem.offsets.iter_mut().zip(&change) {
-            *offset += change * beyond;
-        }
+        add_times(&mut problem.offsets, &change, beyond);
         for (i, slip) in self.sliding.iter().zip(at[2..].chunks_exact(2)) {
             let slip = SVector::from([0.0, slip[0], slip[1]]);
             problem.slips[*i] += slip;

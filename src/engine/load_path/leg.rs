@@ -299,7 +299,7 @@ impl<T: Copy + Add<Output = T>> LegGoal<Vec<T>> {
         to.clear();
         match self {
             Self::Stay => to.extend_from_slice(from),
-            Self::By(change) => to.extend(from.iter().zip(change).map(|(u, du)| *u + *du)),
+            Self::By(change) => from.iter().zip(change).map(|(u, du)| *u + *du).append_to(to),
             Self::To(goal) => to.extend_from_slice(goal),
         }
     }

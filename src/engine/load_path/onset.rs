@@ -4,6 +4,7 @@
 //! active set of a contact consists of the facets of its friction cone that its force has reached. On the round cone the tangent plane at the force
 //! takes the place of a facet.
 
+use crate::numerics::add_times;
 use nalgebra::{SMatrix, SVector};
 
 use super::drive_change::PartChange;
@@ -119,7 +120,7 @@ impl OnsetEvent<3> {
         let mut list = || lists.next().map(core::mem::take).unwrap_or_default();
         let Segment { grasp, answer_for, problem, change: offset_rates, trajectory, .. } = segment;
         let mut offsets = problem.offsets;
-        offsets.iter_mut().zip(&offset_rates).for_each(|(offset, rate)| *offset += rate * factor);
+        add_times(&mut offsets, &offset_rates, factor);
         let local = StickingState {
             found: StoredSolution::of(found, list()),
             rule,

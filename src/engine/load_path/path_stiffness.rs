@@ -4,7 +4,8 @@
 //! if there are many coordinates.
 
 use crate::numerics::{
-    Band, Bordered, BorderedBand, Each, Size, Square, Vector, mapped, narrow_order, solved_once, widest,
+    Band, Bordered, BorderedBand, Each, Size, Square, Vector, mapped, narrow_order, scale, solved_once,
+    widest,
 };
 use alloc::sync::Arc;
 use core::ops::Range;
@@ -94,9 +95,7 @@ impl PathStiffness {
             Self::Whole(square) => square.as_mut_slice(),
             Self::Narrow { band, .. } => band.entries_mut(),
         };
-        for x in entries {
-            *x *= factor;
-        }
+        scale(entries, factor);
     }
 
     pub(super) fn amax(&self) -> f64 {
@@ -150,9 +149,11 @@ impl PathStiffness {
                 // The factorisation of the bordered band matrix fails if the band matrix alone is singular, as at a maximum of the load. The bordered
                 // matrix is then factorised as a full matrix.
                 let mut square = Square::zeros(size);
-                let entry = |(i, j): (usize, usize)| band.entry(order.numbers[i], order.numbers[j]);
-                let places = (0..size.count()).flat_map(|j| (0..size.count()).map(move |i| (i, j)));
-                places.for_each(|place| square[place] = entry(place));
+                for (j, column) in order.numbers.iter().enumerate() {
+                    for (i, row) in order.numbers.iter().enumerate() {
+                        square[(i, j)] = band.entry(*row, *column);
+                    }
+                }
                 square
             }
         };

@@ -14,7 +14,7 @@ use crate::contact::Polygon;
 use crate::equilibrium::{AnswerFor, Equilibrium};
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
-use crate::numerics::Vector;
+use crate::numerics::{Vector, add_times};
 use crate::object::{Load, Problem};
 use crate::prelude::*;
 use crate::search::{Doubt, FoundBy, SearchCounts, SearchOutcome, SearchSolution, Settings, settle_at_rest};
@@ -75,7 +75,7 @@ impl<'g> ProgramRun<'g> {
     pub(super) fn segment(&self, slips: Vec<SVector<f64, 3>>) -> Segment<'g> {
         let trajectory = self.program.inside_trajectory(self.grasp);
         let [mut offsets, change] = self.program.offsets(self.grasp);
-        offsets.iter_mut().zip(&slips).for_each(|(offset, slip)| *offset -= slip);
+        add_times(&mut offsets, &slips, -1.0);
         let problem = Problem { slips, ..self.problem(offsets, &trajectory.at(0.0)) };
         Segment {
             grasp: self.grasp,

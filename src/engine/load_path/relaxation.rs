@@ -28,7 +28,7 @@ use nalgebra::SVector;
 use super::arc::{Arc, Direction};
 use super::path_stiffness::{PathFactors, PathStiffness};
 use crate::contact::{Tangent, tangential_norm};
-use crate::numerics::{Each, IntoList, Vector};
+use crate::numerics::{Each, IntoList, Reals, Vector};
 use crate::prelude::*;
 
 /// A sliding contact at the start of a step, with derivatives with respect to the angle of its friction force in the tangent plane.
@@ -143,7 +143,7 @@ impl<'f, 's, 'g> Relaxation<'f, 's, 'g> {
         let mut angles = Vec::with_capacity(self.contacts.len());
         let entries = side.chunks_exact(2).zip(&self.contacts).zip(&damped.sizes);
         for ((given, turning), size) in entries {
-            let along = (1..3).map(|a| turning.across[a] * given[a - 1]).sum::<f64>();
+            let along = (1..3).map(|a| turning.across[a] * given[a - 1]).added();
             let angle = if turning.size > 0.0 { along / size } else { 0.0 };
             left += &turning.push * angle;
             angles.push(angle);

@@ -17,7 +17,7 @@ use super::tolerances::NO_RIGID_MOTION;
 use crate::contact::Law;
 use crate::friction::FrictionProblem;
 use crate::numerics::tolerances::LINEARLY_DEPENDENT;
-use crate::numerics::{Vector, chosen, matrix_of, orthogonal_part, vector_of};
+use crate::numerics::{Reals, Vector, chosen, matrix_of, orthogonal_part, vector_of};
 use crate::object::Problem;
 use crate::prelude::*;
 
@@ -89,7 +89,7 @@ pub(super) fn rigid_motion(rates: &Problem) -> Option<Vector> {
         if push[0] <= near * largest {
             continue;
         }
-        let sideways = push.iter().skip(1).map(|x| x * x).sum::<f64>().sqrt();
+        let sideways = push.iter().skip(1).map(|x| x * x).added().sqrt();
         let slides = sideways >= rates.local(i).cone().limit(push[0]) * (1.0 - near);
         for column in &columns[3 * k..3 * k + if slides { 1 } else { 3 }] {
             resist(&mut resisted, column);

@@ -15,7 +15,7 @@ use super::turning_state::TurningState;
 use crate::contact::{ActiveSet, Exit, GapLine, Law, Line, State};
 use crate::equilibrium::{AnswerFor, NoEquilibrium, Proof};
 use crate::grasp::Engine;
-use crate::numerics::{Each, IntoList, Vector, cleared_for, mapped, paired};
+use crate::numerics::{Each, IntoList, Reals, Vector, cleared_for, mapped, paired};
 use crate::object::{ForcesAndTwist, LinearProblem, Problem, largest_force};
 use crate::prelude::*;
 
@@ -172,8 +172,7 @@ impl<'g> Segment<'g> {
         let sites = self.grasp.sites();
         let sizes = |offsets: &[SVector<f64, 3>], twist: &Vector, load: f64, forces: &[SVector<f64, 3>]| {
             let norm = twist.norm();
-            let travel =
-                sites.iter().zip(offsets).map(|(site, a)| site.span_moved(a, norm)).fold(0.0, f64::max);
+            let travel = sites.iter().zip(offsets).map(|(site, a)| site.span_moved(a, norm)).most();
             [largest_force(sites, offsets, twist, load, forces.iter().map(Matrix::norm)), travel]
         };
         let [base_force, base_travel] = sizes(&base_offsets, &base.twist, base_load.norm(), &base.forces);
@@ -262,7 +261,7 @@ impl<'g> Segment<'g> {
     /// `offsets`.
     pub(super) fn offsets_into(&self, factor: f64, offsets: &mut Vec<SVector<f64, 3>>) {
         cleared_for(offsets, self.change.len());
-        offsets.extend(self.problem.offsets.iter().zip(&self.change).map(|(a, da)| a + da * factor));
+        self.problem.offsets.iter().zip(&self.change).map(|(a, da)| a + da * factor).append_to(offsets);
     }
 
     /// This segment with commands and load held constant at their values at the load factor `factor`, so that all their rates are zero.

@@ -9,7 +9,7 @@ use nalgebra::SVector;
 use crate::contact::{Mode, State, tangential, tangential_norm};
 use crate::equilibrium::{CountedMotion, MotionData};
 use crate::grasp::Engine;
-use crate::numerics::{Equation, MOST_UNKNOWNS, Vector, solved};
+use crate::numerics::{Equation, MOST_UNKNOWNS, Reals, Vector, solved};
 use crate::object::{ForcesAndTwist, LinearProblem, Problem};
 use crate::prelude::*;
 use crate::search::SmallMotions;
@@ -75,7 +75,7 @@ impl Slips<'_> {
             *x = (p[1] * slip[0] + p[2] * slip[1]) * (scale / self.unit);
         }
         let x = solved(&mut equations[..=count])?;
-        let inverse = 1.0 / x.iter().map(|x| x * x).sum::<f64>().sqrt();
+        let inverse = 1.0 / x.iter().map(|x| x * x).added().sqrt();
         (rates[0], rates[1]) = (0.0, x[0] * inverse);
         for ((p, slip), x) in directions.iter().zip(rates[2..].chunks_exact_mut(2)).zip(&x[1..]) {
             let slips = x * inverse * self.unit;
@@ -147,7 +147,7 @@ impl Slips<'_> {
         let space = self.grasp.space();
         let mut turned = 0.0;
         for k in space.axes()..space.of_the_object() {
-            let turns: f64 = self.twists.iter().zip(at).map(|(part, weight)| part[k] * weight).sum();
+            let turns: f64 = self.twists.iter().zip(at).map(|(part, weight)| part[k] * weight).added();
             turned += turns * turns;
         }
         let mut far = turned.sqrt() / (self.grasp.length() * self.small.rotation);

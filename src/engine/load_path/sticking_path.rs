@@ -78,7 +78,7 @@ impl StickingPath<'_> {
             let first = self.segment.first_exits(&states, &point, self.end - self.factor);
             let passed = self.factor;
             let touch = |(site, angle)| (site, passed + angle);
-            self.touches.extend(first.touches.into_iter().map(touch));
+            first.touches.into_iter().map(touch).append_to(&mut self.touches);
             let Some((step, next)) = first.reached else { return Onset::Never };
             self.factor += step;
             reached = Some(next);

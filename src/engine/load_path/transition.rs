@@ -10,8 +10,8 @@ use super::event::Change;
 use crate::contact::{Mode, State};
 use crate::forms::{Form, clearly_breaks, kinematic_form};
 use crate::grasp::{Site, Space};
-use crate::numerics::all_some;
 use crate::numerics::tolerances::NEGLIGIBLE;
+use crate::numerics::{Reals, all_some};
 use crate::object::Problem;
 use crate::prelude::*;
 use crate::search::{SearchSolution, combinations, search_among};
@@ -110,9 +110,9 @@ fn few_rows(rates: &Problem, rows: usize) -> Option<FewRows> {
     let state = trial.solve(rates.sites, &rates.offsets, &rates.wrench).ok()?;
     let in_units = |(site, force): (&Site, &SVector<f64, 3>)| {
         let axes = 0..site.springs.axes();
-        axes.map(|axis| (force[axis] / site.springs.root_along(axis)).abs()).fold(0.0, f64::max)
+        axes.map(|axis| (force[axis] / site.springs.root_along(axis)).abs()).most()
     };
-    let largest = rates.sites.iter().zip(&state.forces).map(in_units).fold(0.0, f64::max);
+    let largest = rates.sites.iter().zip(&state.forces).map(in_units).most();
     let form = kinematic_form(rates, &trial, &state)?;
     Some(FewRows { form, largest, many: trial.is_banded() })
 }

@@ -3,8 +3,8 @@
 //! contacts that touch without force push the object.
 
 use super::segment::Segment;
-use crate::numerics::Vector;
 use crate::numerics::tolerances::SOLVED_ROUNDING;
+use crate::numerics::{Vector, add_times};
 use crate::object::{ForcesAndTwist, LinearProblem};
 
 impl Segment<'_> {
@@ -42,9 +42,7 @@ impl Segment<'_> {
         for v in &linear_problem.neutral_motions() {
             let shift = v * v.dot(&(near - &twist));
             twist += &shift;
-            for (f, change) in forces.iter_mut().zip(linear_problem.forces_along(&self.problem, &shift)) {
-                *f += change;
-            }
+            add_times(&mut forces, &linear_problem.forces_along(&self.problem, &shift), 1.0);
         }
         ForcesAndTwist { forces, twist }
     }

@@ -2,6 +2,7 @@
 //! value at the end. A command is a prescribed displacement of a finger. A contact with a constant normal force gets a prismatic joint of its own, in
 //! addition to the joints of fingers.
 
+use crate::numerics::IntoList;
 use alloc::collections::BTreeMap;
 
 use nalgebra::SVector;
@@ -97,13 +98,9 @@ impl<const C: usize> WrittenLeg<C> {
         if let Some(name) = self.body_loads_by.keys().find(|name| self.body_loads_to.contains_key(*name)) {
             return Err(format!("body_loads_by and body_loads_to: {} is in both", printable(name)));
         }
-        let mut bodies = Vec::new();
-        for (name, change) in self.body_loads_by {
-            bodies.push((name.into(), LegGoal::By(change)));
-        }
-        for (name, load) in self.body_loads_to {
-            bodies.push((name.into(), LegGoal::To(load)));
-        }
+        let by = self.body_loads_by.into_iter().map(|(name, change)| (name.into(), LegGoal::By(change)));
+        let to = self.body_loads_to.into_iter().map(|(name, load)| (name.into(), LegGoal::To(load)));
+        let bodies = by.chain(to).list();
         let commands = LegGoal::read(self.commands_by, self.commands_to, "commands")?;
         let joints = LegGoal::read(self.joints_by, self.joints_to, "joints")?;
         let torques = LegGoal::read(self.torques_by, self.torques_to, "torques")?;

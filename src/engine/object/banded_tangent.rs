@@ -13,7 +13,8 @@
 //! twice the working precision restores the digits, or shows that it cannot.
 
 use crate::numerics::{
-    Band, BandFactors, Size, Vector, generic, mapped, moved, narrow_order, numbered, summed, widest,
+    Band, BandFactors, IntoList, Reals, Size, Vector, dot, generic, mapped, moved, narrow_order, numbered,
+    scale_each, summed, widest,
 };
 
 use core::ops::Range;
@@ -100,9 +101,7 @@ impl BandedTangent {
             for ((site, ranges), ends) in sites.iter().zip(&couplings).zip(first_springs.windows(2)) {
                 for spring in &springs[ends[0]..ends[1]] {
                     for range in ranges {
-                        for k in range.clone() {
-                            rows.push(site.map.row(k).dot(of(spring)));
-                        }
+                        range.clone().map(|k| site.map.row(k).dot(of(spring))).append_to(&mut rows);
                     }
                 }
             }
@@ -131,7 +130,7 @@ impl BandedTangent {
         wrench.iter().zip(&self.numbers).for_each(|(w, k)| q[*k] = *w);
         self.springs.add(self.pushes.as_ref().unwrap_or(&self.stretches), x, &mut q);
         self.factors.solve(&mut q);
-        self.springs.stretch(&self.stretches, &mut q, |spring, stretch| x[spring] -= stretch);
+        self.springs.stretch(&self.stretches, &mut q, &mut |spring, stretch| x[spring] -= stretch);
         Vector::from_fn(Size::of(q.len()), |k| q[self.numbers[k]])
     }
 
@@ -160,11 +159,11 @@ impl BandedTangent {
         let pushes = self.pushes.as_ref().unwrap_or(&self.stretches);
         let mut q = vec![0.0; self.numbers.len()];
         self.springs.of(contact, |k, coordinates, range| {
-            coordinates.iter().zip(&pushes.rows[range]).for_each(|(i, b)| q[*i] += b * forces[k]);
+            add_row(&mut q, coordinates, &pushes.rows[range], forces[k]);
         });
-        q.iter_mut().zip(&pushes.units).for_each(|(q, unit)| *q *= unit);
+        scale_each(&mut q, &pushes.units);
         self.factors.solve(&mut q);
-        q.iter_mut().zip(&self.stretches.units).for_each(|(q, unit)| *q *= unit);
+        scale_each(&mut q, &self.stretches.units);
         q
     }
 
@@ -173,9 +172,7 @@ impl BandedTangent {
     pub(super) fn weighted_stretch(&self, contact: usize, times: &[f64], displacements: &[f64]) -> f64 {
         let mut sum = 0.0;
         self.springs.of(contact, |k, coordinates, range| {
-            let stretch: f64 =
-                coordinates.iter().zip(&self.stretches.rows[range]).map(|(j, a)| a * displacements[*j]).sum();
-            sum += times[k] * stretch;
+            sum += times[k] * row_times(coordinates, &self.stretches.rows[range], displacements);
         });
         sum
     }
@@ -196,13 +193,13 @@ impl BandedTangent {
             q.fill(0.0);
             self.springs.add(pushes, &x, &mut q);
             self.factors.solve(&mut q);
-            self.springs.stretch(&self.stretches, &mut q, |spring, stretch| x[spring] = stretch);
+            self.springs.stretch(&self.stretches, &mut q, &mut |spring, stretch| x[spring] = stretch);
             let after = length(&x);
             growth = growth.max(after / before);
             q.fill(0.0);
             self.springs.add(&self.stretches, &x, &mut q);
             self.factors.solve_transposed(&mut q);
-            self.springs.stretch(pushes, &mut q, |spring, stretch| x[spring] = stretch / after);
+            self.springs.stretch(pushes, &mut q, &mut |spring, stretch| x[spring] = stretch / after);
         }
         // Twice the estimate, since the power method gives a lower bound.
         2.0 * growth
@@ -252,8 +249,9 @@ impl SpringLists {
     fn side(&self, rows: Vec<f64>, count: usize) -> SpringRows {
         let (mut squares, mut longest) = (vec![0.0; count], 0.0_f64);
         self.for_each(|_, coordinates, range| {
-            coordinates.iter().zip(&rows[range.clone()]).for_each(|(k, x)| squares[*k] += x * x);
-            longest = longest.max(rows[range].iter().map(|x| x * x).sum());
+            let row = &rows[range];
+            coordinates.iter().zip(row).for_each(|(k, x)| squares[*k] += x * x);
+            longest = longest.max(dot(row, row));
         });
         let unit = |square: f64| if square > 0.0 { 1.0 / square.sqrt() } else { 1.0 };
         SpringRows { rows, units: moved(squares, &unit), longest: longest.sqrt() }
@@ -263,17 +261,29 @@ impl SpringLists {
     /// factor that scales its column of the matrix to length one.
     pub(super) fn add(&self, side: &SpringRows, x: &[f64], q: &mut [f64]) {
         self.for_each(|spring, coordinates, range| {
-            coordinates.iter().zip(&side.rows[range]).for_each(|(k, b)| q[*k] += b * x[spring]);
+            add_row(q, coordinates, &side.rows[range], x[spring]);
         });
-        q.iter_mut().zip(&side.units).for_each(|(q, unit)| *q *= unit);
+        scale_each(q, &side.units);
     }
 
     /// Multiplies each entry of the motion q by the factor that scales its column of the matrix A or B in `side` to length one. Then calls
     /// `visit(spring, stretch)` for every spring with its scaled stretch, an entry of A q or B q.
-    pub(super) fn stretch(&self, side: &SpringRows, q: &mut [f64], mut visit: impl FnMut(usize, f64)) {
-        q.iter_mut().zip(&side.units).for_each(|(q, unit)| *q *= unit);
+    pub(super) fn stretch(&self, side: &SpringRows, q: &mut [f64], visit: &mut dyn FnMut(usize, f64)) {
+        scale_each(q, &side.units);
         self.for_each(|spring, coordinates, range| {
-            visit(spring, coordinates.iter().zip(&side.rows[range]).map(|(k, a)| a * q[*k]).sum());
+            visit(spring, row_times(coordinates, &side.rows[range], q));
         });
+    }
+}
+
+/// The product of a row of the matrix A or B with q. `coordinates` has the position in q of each entry of the row.
+fn row_times(coordinates: &[usize], row: &[f64], q: &[f64]) -> f64 {
+    coordinates.iter().zip(row).map(|(k, a)| a * q[*k]).added()
+}
+
+/// Adds a row of the matrix A or B, multiplied by `times`, to q. `coordinates` has the position in q of each entry of the row.
+fn add_row(q: &mut [f64], coordinates: &[usize], row: &[f64], times: f64) {
+    for (k, a) in coordinates.iter().zip(row) {
+        q[*k] += a * times;
     }
 }

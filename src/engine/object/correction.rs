@@ -20,7 +20,7 @@ use super::precise::{PreciseBalance, PreciseTwist};
 use super::problem::Problem;
 use super::tolerances::{MOST_CORRECTIONS, NEARLY_CORRECTED};
 use crate::contact::{LocalLaw, Mode, Spring, State};
-use crate::numerics::{DoubleDouble, Each, IntoList, Vector, by_axis, mapped, without};
+use crate::numerics::{DoubleDouble, Each, IntoList, Reals, Vector, by_axis, mapped, without};
 use crate::prelude::*;
 
 /// The exact solution in given contact states minus a given approximate solution: differences of the contact forces (N, in the contact frames) and of
@@ -53,7 +53,7 @@ impl LinearProblem {
         for _ in 0..MOST_CORRECTIONS {
             let left = self.residual_of(problem, states, &mut forces, &twist, &mut change);
             let push = |(spring, x): (&Spring, &f64)| spring.push_direction.amax() * x.abs();
-            let largest = |x: &[f64]| self.springs.iter().zip(x).map(push).fold(0.0, f64::max);
+            let largest = |x: &[f64]| self.springs.iter().zip(x).map(push).most();
             // Uncertainty of this correction, N. The correction follows from residual forces as large as `largest(&change)`, with a relative error of
             // machine precision.
             let noise = f64::EPSILON * largest(&change);

@@ -81,9 +81,7 @@ impl LinearProblem {
         let rows = |side: fn(&Spring) -> &SVector<f64, 3>| {
             let mut rows = Vec::with_capacity(springs.len());
             for (site, range) in sites.iter().zip(first.windows(2)) {
-                for spring in &springs[range[0]..range[1]] {
-                    rows.push(&site.map * side(spring));
-                }
+                rows.extend(mapped(&springs[range[0]..range[1]], &|spring| &site.map * side(spring)));
             }
             rows
         };
@@ -208,7 +206,7 @@ impl LinearProblem {
             return Some(motion);
         }
         if let Some((_, null)) = &self.band {
-            return null.motion_of_work(&self.stretched(|contact| offsets[contact]), load);
+            return null.motion_of_work(&self.stretched(&|contact| offsets[contact]), load);
         }
         let (pushes, coupling) = self.orthogonal().pushes.as_ref()?;
         let mut kernel: Vec<Vector> = Vec::new();
@@ -216,7 +214,7 @@ impl LinearProblem {
             orthonormalise_against(&mut z, &kernel);
             kernel.push(z);
         }
-        let pushed = pushes.coordinates(&self.stretched(|contact| offsets[contact]));
+        let pushed = pushes.coordinates(&self.stretched(&|contact| offsets[contact]));
         Some(pushes.preimage(&work_part(&kernel, &(pushed + pushes.load_coordinates(load)))?))
     }
 

@@ -14,7 +14,7 @@ use super::banded_tangent::{BandedTangent, SpringRows};
 use super::tolerances::NO_WORK;
 use crate::numerics::tolerances::LINEARLY_DEPENDENT;
 use crate::numerics::{
-    BandFactors, IntoList, Singular, Size, Vector, dot, matrix_of, orthonormalise_against,
+    BandFactors, IntoList, Singular, Size, Vector, add_times, dot, matrix_of, orthonormalise_against, scale,
 };
 use crate::prelude::*;
 
@@ -116,15 +116,15 @@ fn sorted_null_vectors(
     let mut found: Vec<(Vector, Vec<f64>)> = Vec::new();
     for mut q in vectors {
         let mut stretches = vec![0.0; springs.counts.iter().sum()];
-        springs.stretch(side, &mut q, |spring, stretch| stretches[spring] = stretch);
+        springs.stretch(side, &mut q, &mut |spring, stretch| stretches[spring] = stretch);
         // The forces due to the stretches of a null vector should be in balance. Rounding of T and its factors leaves a small imbalance, which two
         // corrections remove.
         for _ in 0..2 {
             let mut back = vec![0.0; q.len()];
             springs.add(other, &stretches, &mut back);
             solve(&band.factors, &mut back);
-            springs.stretch(side, &mut back, |spring, stretch| stretches[spring] -= stretch);
-            q.iter_mut().zip(&back).for_each(|(q, back)| *q -= back);
+            springs.stretch(side, &mut back, &mut |spring, stretch| stretches[spring] -= stretch);
+            add_times(&mut q, &back, -1.0);
         }
         let mut v = Vector::from_fn(Size::of(q.len()), |k| q[band.numbers[k]]);
         // Gram–Schmidt orthogonalisation against the null vectors found so far; the second pass removes the rounding of the first.
@@ -132,13 +132,11 @@ fn sorted_null_vectors(
             for (known, of_known) in &found {
                 let along = v.dot(known);
                 v -= known * along;
-                stretches.iter_mut().zip(of_known).for_each(|(x, known)| *x -= known * along);
+                add_times(&mut stretches, of_known, -along);
             }
             let unit = 1.0 / v.norm();
             v *= unit;
-            for x in &mut stretches {
-                *x *= unit;
-            }
+            scale(&mut stretches, unit);
         }
         found.push((v, stretches));
     }
@@ -150,7 +148,7 @@ fn sorted_null_vectors(
         let mut stretches = vec![0.0; springs.counts.iter().sum()];
         for ((known, of_known), part) in found.iter().zip(axis.iter()) {
             v += known * *part;
-            stretches.iter_mut().zip(of_known).for_each(|(x, known)| *x += known * part);
+            add_times(&mut stretches, of_known, *part);
         }
         let length = dot(&stretches, &stretches).sqrt();
         // A unit motion is free if it hardly stretches any spring. The norm of the scaled stretches is then at most 1e-11 of the largest scaled
@@ -169,9 +167,7 @@ fn sorted_null_vectors(
             return None;
         }
         let unit = 1.0 / length;
-        for x in &mut stretches {
-            *x *= unit;
-        }
+        scale(&mut stretches, unit);
         apart.stretched.push((v * unit, stretches));
     }
     Some(apart)

@@ -1,7 +1,7 @@
 //! Rounding scales of forces, N, and of displacements, m. The rounding scale of a value is the number to which its rounding error is proportional. As
 //! a rule it is the largest of the terms from which the value is computed. Code names call it `size` or, for the terms of a stretch, `span`.
 
-use crate::numerics::{IntoList, Vector};
+use crate::numerics::{IntoList, Reals, Vector};
 use nalgebra::SVector;
 
 use super::newton::Imbalance;
@@ -16,7 +16,7 @@ use crate::prelude::*;
 /// softest spring times its entry of `spans`, m, an upper bound of its displacements. Returns the minimum over the contacts. A computed force far
 /// below it is a rounding error, left where larger spring forces cancel.
 pub(crate) fn least_spring_force(sites: &[Site], spans: impl Iterator<Item = f64>) -> f64 {
-    sites.iter().zip(spans).map(|(site, span)| site.springs.softest() * span).fold(f64::INFINITY, f64::min)
+    sites.iter().zip(spans).map(|(site, span)| site.springs.softest() * span).least()
 }
 
 /// The largest of the norm `load` of the load and the norms `forces` of contact forces, N, but at least [`NO_FORCE`] (1e-25) times

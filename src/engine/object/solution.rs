@@ -18,7 +18,7 @@ use super::precise::{PreciseBalance, PreciseTwist};
 use super::problem::Problem;
 use super::tolerances::{MOST_CORRECTIONS, NEARLY_CORRECTED, NO_WORK};
 use crate::grasp::Site;
-use crate::numerics::{DoubleDouble, Vector, cleared_for, without};
+use crate::numerics::{DoubleDouble, IntoList, Vector, cleared_for, without};
 use crate::prelude::*;
 
 /// Contact forces and twist that solve the linear problem of a [`LinearProblem`] under given offsets and a given load. For the rate problem
@@ -80,7 +80,7 @@ impl LinearProblem {
         }
         let SolutionMemory { x, change } = memory;
         if let Some((band, null)) = &self.band {
-            self.stretched_into(x, |contact| offsets[contact]);
+            self.stretched_into(x, &|contact| offsets[contact]);
             if null.are_out_of_reach(x, &load.wrench, &|| band.growth()) {
                 return Err(Unbalanced { motion: None });
             }
@@ -96,7 +96,7 @@ impl LinearProblem {
         }
         let factors = self.orthogonal();
         let balance = factors.balance();
-        self.stretched_into(x, |contact| offsets[contact]);
+        self.stretched_into(x, &|contact| offsets[contact]);
         let loaded = balance.load_coordinates(&load.wrench);
         let pushed = balance.coordinates(x);
         let step = match &factors.pushes {
@@ -164,7 +164,7 @@ impl LinearProblem {
         wrench: &Vector,
         (SolutionMemory { x, .. }, state): (&mut SolutionMemory, &mut ForcesAndTwist),
     ) {
-        self.stretched_into(x, |contact| offsets[contact]);
+        self.stretched_into(x, &|contact| offsets[contact]);
         if let Some((band, _)) = &self.band {
             let travelled = band.respond(x, wrench);
             state.twist = travelled + band.respond(x, wrench);
@@ -195,32 +195,30 @@ impl LinearProblem {
     /// Contact forces after the object has moved until they balance the load. `stretches` are the stretches of the contacts before the object
     /// moves, m. A component of the load that springs cannot balance is ignored.
     pub(crate) fn forces_of(&self, stretches: &[SVector<f64, 3>], load: &Vector) -> Vec<SVector<f64, 3>> {
-        let mut x = self.stretched(|contact| stretches[contact]);
+        let mut x = self.stretched(&|contact| stretches[contact]);
         self.respond(&mut x, load);
         self.forces(&x, stretches.len())
     }
 
     /// Change of the contact forces if the object moves by `motion` at constant offsets and contact states.
     pub(crate) fn forces_along(&self, problem: &Problem, motion: &Vector) -> Vec<SVector<f64, 3>> {
-        let x = self.stretched(|contact| -problem.sites[contact].map.tr_mul(motion));
+        let x = self.stretched(&|contact| -problem.sites[contact].map.tr_mul(motion));
         self.forces(&x, problem.len())
     }
 
     /// The scaled force `x_r = s_r · v` of each spring r, for given stretches v of the contacts; s_r is the vector along which the spring is
     /// stretched.
-    pub(super) fn stretched(&self, stretch: impl Fn(usize) -> SVector<f64, 3>) -> Vec<f64> {
+    pub(super) fn stretched(&self, stretch: &dyn Fn(usize) -> SVector<f64, 3>) -> Vec<f64> {
         let mut x = Vec::new();
         self.stretched_into(&mut x, stretch);
         x
     }
 
-    fn stretched_into(&self, x: &mut Vec<f64>, stretch: impl Fn(usize) -> SVector<f64, 3>) {
+    fn stretched_into(&self, x: &mut Vec<f64>, stretch: &dyn Fn(usize) -> SVector<f64, 3>) {
         cleared_for(x, self.springs.len());
         for (contact, springs, _) in self.of_each_contact() {
             let stretch = stretch(contact);
-            for spring in springs {
-                x.push(spring.stretch_direction.dot(&stretch));
-            }
+            springs.iter().map(|spring| spring.stretch_direction.dot(&stretch)).append_to(x);
         }
     }
 

@@ -9,7 +9,7 @@
 //! After a step R is mere rounding, so that a few steps give the last digits if T is regular. If T is singular, orthogonal factors of spring
 //! stretches and push directions find the motions that springs do not resist ([`super::LinearProblem`]).
 
-use crate::numerics::{Each, Factors, PartialPivoting, Square, Vector, in_halves};
+use crate::numerics::{Each, Factors, PartialPivoting, Square, Vector, add_times, in_halves};
 use core::ops::Range;
 
 use nalgebra::SMatrix;
@@ -104,8 +104,7 @@ fn add_tangent(t: &mut Square, site: &Site, springs: &SpringTangent) {
         for j in columns {
             let column = t.column_slice_mut(j);
             for a in 0..3 {
-                let g = site.map[(j, a)];
-                column.iter_mut().zip(pushed[a].iter()).for_each(|(t, pushed)| *t += pushed * g);
+                add_times(column, pushed[a].as_slice(), site.map[(j, a)]);
             }
         }
     }

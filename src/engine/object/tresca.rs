@@ -90,7 +90,7 @@ impl GivenLimits {
         for (site, ranges) in problem.sites.iter().zip(couplings) {
             let entry = |k: usize| (numbers[k], by_axis(|a| site.map[(k, a)]));
             for range in ranges {
-                coupled.extend(range.map(entry));
+                range.map(entry).append_to(&mut coupled);
             }
             first.push(coupled.len());
         }

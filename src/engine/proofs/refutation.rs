@@ -12,7 +12,7 @@
 //! would hold at its twist q; the check of a certificate verifies that the right side is positive. If, under the labels of the case, no contact's
 //! term on the left side can be positive, the case has no equilibrium. The elastic trial is the solution in which every contact sticks.
 
-use crate::numerics::{IntoList, Vector};
+use crate::numerics::{IntoList, Reals, Vector};
 use nalgebra::SVector;
 
 use super::tolerances::{ESCAPE, LEAST_WORK};
@@ -39,7 +39,7 @@ pub(crate) fn check(problem: &Problem, steps: &[ProofStep]) -> Option<f64> {
     let trial = problem.trial();
     let state = trial.solve(problem.sites, &problem.offsets, problem.load()).ok()?;
     let stored = |forces: &[SVector<f64, 3>]| {
-        problem.sites.iter().zip(forces).map(|(site, f)| 2.0 * site.springs.stored(f)).sum::<f64>()
+        problem.sites.iter().zip(forces).map(|(site, f)| 2.0 * site.springs.stored(f)).added()
     };
     let data = stored(&state.forces).sqrt();
     let mut open = vec![problem.each(|local| local.first_label())];

@@ -134,9 +134,7 @@ impl AugmentedLagrangian {
         let coupled = |contact: usize| {
             let mut coupled = Vec::new();
             for range in &couplings[contact] {
-                for k in range.clone() {
-                    coupled.push((k, numbers[k]));
-                }
+                range.clone().map(|k| (k, numbers[k])).append_to(&mut coupled);
             }
             coupled
         };

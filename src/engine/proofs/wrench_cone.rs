@@ -23,7 +23,7 @@ use super::separating_many::{Residual, residual_of_many};
 use super::tolerances::{CLEAR_RESIDUAL, ESCAPE, LEAST_WORK, MOST_COORDINATES};
 use crate::contact::{Law, tangential, tangential_norm};
 use crate::grasp::Site;
-use crate::numerics::{IntoList, NearestPoint, Size, Vector, unit};
+use crate::numerics::{IntoList, NearestPoint, Reals, Size, Vector, unit};
 use crate::object::{Problem, uses_band};
 use crate::prelude::*;
 
@@ -135,7 +135,7 @@ impl<'p, 'g> LoadAndCones<'p, 'g> {
     /// load from all admissible forces, clearly beyond rounding ([`Self::is_proof`]).
     fn separating_motion(&self) -> Option<Vector> {
         let target = -&self.problem.wrench / self.load;
-        let round = |v: &Vector| round_generators(self.problem, v).list();
+        let round = |v: &Vector| round_generators(self.problem, v);
         let NearestForces { motion: v, .. } =
             nearest_forces(self.problem.size(), &self.straight, &round, &target);
         self.is_proof(&v).then(|| v.normalize())
@@ -146,8 +146,9 @@ impl<'p, 'g> LoadAndCones<'p, 'g> {
     /// of at least [`ESCAPE`] times load and commands.
     fn is_proof(&self, v: &Vector) -> bool {
         let mut negative_work = 0.0_f64;
-        self.straight.iter().for_each(|g| negative_work = negative_work.max(g.works_against(v)));
-        round_generators(self.problem, v).for_each(|g| negative_work = negative_work.max(g.works_against(v)));
+        for generator in self.straight.iter().chain(&round_generators(self.problem, v)) {
+            negative_work = negative_work.max(generator.works_against(v));
+        }
         let (distance, works) = (v.norm(), self.problem.wrench.dot(v) / self.load);
         let escape = works * self.load / negative_work.max(LEAST_WORK * distance);
         distance > CLEAR_RESIDUAL && escape >= ESCAPE * self.data
@@ -181,18 +182,21 @@ pub(crate) fn separating_motion(problem: &Problem) -> Option<Vector> {
 fn squeeze(problem: &Problem) -> f64 {
     let pushed =
         |(site, offset): (&Site, &SVector<f64, 3>)| site.map.pushed_norm(&site.springs.force(offset));
-    problem.sites.iter().zip(&problem.offsets).map(pushed).sum()
+    problem.sites.iter().zip(&problem.offsets).map(pushed).added()
 }
 
 /// For every contact with a round cone, the generator (a unit wrench) that does the most negative work along a motion.
-pub(crate) fn round_generators(problem: &Problem, v: &Vector) -> impl Iterator<Item = Generator> {
-    let contacts = problem.locals().zip(problem.sites).enumerate();
-    contacts.filter(|(_, (local, _))| local.is_round()).map(move |(contact, (local, site))| {
-        let u = site.map.tr_mul(v);
-        let length = tangential_norm(&u);
-        let along = if length > 0.0 { -tangential(&u) / length } else { unit(1) };
-        Generator::along(contact, site, local.cone().generator(&along))
-    })
+pub(crate) fn round_generators(problem: &Problem, v: &Vector) -> Vec<Generator> {
+    let mut generators = Vec::new();
+    for (contact, (local, site)) in problem.locals().zip(problem.sites).enumerate() {
+        if local.is_round() {
+            let u = site.map.tr_mul(v);
+            let length = tangential_norm(&u);
+            let along = if length > 0.0 { -tangential(&u) / length } else { unit(1) };
+            generators.push(Generator::along(contact, site, local.cone().generator(&along)));
+        }
+    }
+    generators
 }
 
 /// Whether a unit motion proves that no contact forces balance the load of `problem` once it grows in the direction `rate`.
@@ -202,7 +206,7 @@ pub(crate) fn round_generators(problem: &Problem, v: &Vector) -> impl Iterator<I
 pub(crate) fn separates_from_here_on(problem: &Problem, motion: &Vector, rate: &Vector) -> bool {
     let Some(straight) = straight_generators(problem) else { return false };
     let all = straight.into_iter().chain(round_generators(problem, motion));
-    let negative_work = all.map(|g| g.works_against(motion)).fold(0.0, f64::max);
+    let negative_work = all.map(|g| g.works_against(motion)).most();
     // `counts_from_here_on` compares the work of two loads: the present load, and a load that has grown by `data` along the rate.
     let data = problem.wrench.norm() + squeeze(problem);
     let (here, gained) = (problem.wrench.dot(motion), rate.dot(motion) / rate.norm());

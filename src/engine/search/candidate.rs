@@ -9,7 +9,7 @@ use nalgebra::{Matrix, SVector};
 use super::answer::SearchSolution;
 use crate::contact::{MOST_SLACK, SpringState, State, ZERO_SLACK};
 use crate::numerics::tolerances::SOLVED_ROUNDING;
-use crate::numerics::{IntoList, Vector, chosen, least_distance, mapped};
+use crate::numerics::{IntoList, Vector, add_times, chosen, least_distance, mapped};
 use crate::object::{ForcesAndTwist, LinearProblem, Problem, largest_force};
 use crate::prelude::*;
 
@@ -81,9 +81,7 @@ pub(super) fn admit(
             let there = shifted.insert(at.clone());
             for ((motion, along), tau) in motions.iter().zip(tau.iter()) {
                 there.twist += motion * *tau;
-                for (f, change) in there.forces.iter_mut().zip(along) {
-                    *f += change * *tau;
-                }
+                add_times(&mut there.forces, along, *tau);
             }
             // The solution has been shifted to another solution. Violations are divided by the rounding scales before the shift. A shift so long that
             // its rounding exceeds the tolerance is thus refused.

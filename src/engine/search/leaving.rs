@@ -6,7 +6,7 @@
 //! instead from an approximate solution with Tresca friction (friction limits that do not depend on the normal forces). In its contact states few
 //! contacts break a condition.
 
-use crate::numerics::{IntoList, chosen};
+use crate::numerics::{IntoList, chosen, highest};
 use alloc::sync::Arc;
 
 use super::candidate::breaking;
@@ -170,7 +170,7 @@ fn regular(problem: &Problem, mut states: Vec<State>) -> Option<Vec<State>> {
                 }
             };
             let may_stick = |i: &usize| !states[*i].is_sticking() && !problem.local(*i).is_absent();
-            let most = (0..states.len()).filter(may_stick).max_by(|a, b| moved(*a).total_cmp(&moved(*b)))?;
+            let most = *highest(&chosen(states.len(), &may_stick), &|i| moved(*i))?;
             states[most] = Mode::Sticking;
         }
     }

@@ -11,7 +11,7 @@ use super::candidate::{CandidateOutcome, try_states};
 use super::round_pieces::RoundPieces;
 use crate::contact::State;
 use crate::numerics::tolerances::SOLVED_ROUNDING;
-use crate::numerics::{IntoList, PartialPivoting, Vector, paired};
+use crate::numerics::{IntoList, PartialPivoting, Reals, Vector, paired};
 use crate::object::{ForcesAndTwist, LinearProblem, Problem, balance, tangent_stiffness};
 use crate::prelude::*;
 
@@ -72,5 +72,5 @@ pub(crate) fn polish(problem: &Problem, states: &[State], near: &ForcesAndTwist)
         .and_then(|arrived| arrived.solve(problem))
         .or_else(|| RoundPieces::on_polygons(problem, states, near).solve(problem))?;
     let change = found.forces.iter().zip(&near.forces).map(|(round, polygon)| (round - polygon).norm());
-    Some(SearchSolution { from_polygon: Some(change.fold(0.0, f64::max)), ..found })
+    Some(SearchSolution { from_polygon: Some(change.most()), ..found })
 }

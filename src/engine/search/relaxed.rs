@@ -26,7 +26,7 @@ use nalgebra::SVector;
 use super::tolerances::OUT_OF_REACH;
 use crate::contact::HullRay;
 use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
-use crate::numerics::{IntoList, NearestPoint, Vector, by_axis, mapped, numbered, summed};
+use crate::numerics::{IntoList, NearestPoint, Reals, Vector, add_times, by_axis, mapped, numbered, summed};
 use crate::object::{ForcesAndTwist, LinearProblem, Problem};
 use crate::prelude::*;
 use crate::proofs::{ESCAPE, LEAST_WORK};
@@ -102,8 +102,7 @@ impl BalanceEquation {
         for a in 0..3 {
             let (row, jump) = (3 * contact + a, ray.force[a] - ray.stretch[a]);
             if jump != 0.0 {
-                let p = &self.projector[size * row..][..size];
-                column.iter_mut().zip(p).for_each(|(x, p)| *x += jump * p);
+                add_times(column, &self.projector[size * row..][..size], jump);
             }
             column[row] += ray.stretch[a];
         }
@@ -115,7 +114,7 @@ impl BalanceEquation {
         projected.clear();
         projected.resize(size, 0.0);
         for (column, y) in self.projector.chunks_exact(size).zip(y) {
-            projected.iter_mut().zip(column).for_each(|(x, p)| *x += p * y);
+            add_times(projected, column, *y);
         }
     }
 
@@ -239,7 +238,7 @@ impl BalanceEquation {
         let square: f64 = (0..3)
             .filter(|&a| root[a] > 0.0)
             .map(|a| (difference[a] / root[a]) * (difference[a] / root[a]))
-            .sum();
+            .added();
         square.sqrt() / self.unit
     }
 }

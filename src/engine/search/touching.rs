@@ -3,6 +3,7 @@
 use super::answer::SearchSolution;
 use super::candidate::admit;
 use crate::contact::{Mode, State};
+use crate::numerics::{chosen, highest, lowest};
 use crate::object::{ForcesAndTwist, LinearProblem, Problem};
 use crate::prelude::*;
 
@@ -17,7 +18,6 @@ pub(super) fn touching_contacts(
     let mut solved = trial;
     // `linear_problem` is `None` in the first round: the initial contact states have already failed the check, and are not checked again.
     let mut linear_problem = None;
-    let mut changed = Vec::new();
     // With at most 64 contacts, those that pull are opened one at a time, and those that penetrate are closed one at a time. With more contacts, all
     // of them change together.
     let one_by_one = 64;
@@ -31,20 +31,19 @@ pub(super) fn touching_contacts(
         let may_open = |i: &usize| problem.local(*i).may_open();
         let pulls = |i: &usize| !states[*i].is_open() && solved.forces[*i][0] < 0.0;
         let penetrates = |i: &usize| states[*i].is_open() && depth(*i) > 0.0;
-        changed.clear();
-        changed.extend((0..states.len()).filter(may_open).filter(pulls));
+        let mut changed = chosen(states.len(), &|i| may_open(i) && pulls(i));
         if states.len() <= one_by_one
-            && let Some(first) = changed.iter().copied().min_by(|&i, &j| reach(i).total_cmp(&reach(j)))
+            && let Some(first) = lowest(&changed, &|i| reach(*i))
         {
-            changed = vec![first];
+            changed = vec![*first];
         }
         let next = if changed.is_empty() { Mode::Sticking } else { Mode::Open };
         if changed.is_empty() {
-            changed.extend((0..states.len()).filter(may_open).filter(penetrates));
+            changed = chosen(states.len(), &|i| may_open(i) && penetrates(i));
             if states.len() <= one_by_one
-                && let Some(first) = changed.iter().copied().max_by(|&i, &j| depth(i).total_cmp(&depth(j)))
+                && let Some(first) = highest(&changed, &|i| depth(*i))
             {
-                changed = vec![first];
+                changed = vec![*first];
             }
         }
         if changed.is_empty() {

@@ -11,8 +11,8 @@ use super::least_motion::at_the_least_motion;
 use super::settings::Settings;
 use super::solution_interval::on_the_solution_interval;
 use crate::contact::{ActiveSet, Mode, WEIGHTLESS};
-use crate::numerics::largest;
 use crate::numerics::tolerances::NEGLIGIBLE;
+use crate::numerics::{Reals, largest};
 use crate::object::{ForcesAndTwist, LinearProblem, Problem};
 
 /// Searches for an equilibrium of a static problem. In the solution that is returned, all contacts without force that may open are open.
@@ -43,7 +43,7 @@ fn opened(problem: &Problem, found: &SearchSolution) -> Option<SearchSolution> {
     let largest = largest(&found.forces, &Matrix::norm);
     // Gaps are compared with the largest displacement of all contacts, since the displacement of a single contact may be zero.
     let spans = (0..problem.len()).map(|i| problem.span(i, &found.twist));
-    let farthest = spans.fold(0.0, f64::max);
+    let farthest = spans.most();
     let mut states = found.states.clone();
     let (mut any, mut some_press) = (false, false);
     for (i, state) in states.iter_mut().enumerate().filter(|(_, state)| !state.is_open()) {

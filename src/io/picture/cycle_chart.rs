@@ -13,7 +13,7 @@ use crate::equilibrium::Equilibrium;
 use crate::error::Error;
 use crate::grasp::{ContactPoints, Wrench};
 use crate::load_path::Leg;
-use crate::numerics::{IntoList, chosen, increasing, largest, mapped, moved};
+use crate::numerics::{IntoList, chosen, highest, increasing, largest, mapped, moved};
 
 /// Two charts of `count` cycles that begin under the base load. The first chart has the slip of each contact against the number of cycles. The second
 /// has the friction of each contact against its slip in the last cycle. The area within a loop of the second chart is the heat of that cycle. Slip
@@ -122,9 +122,8 @@ impl SlipHistory {
         };
         let start = states.first().map_or_else(SVector::zeros, |(_, state)| slip(state));
         let moved = |state: &Equilibrium<C>| slip(state) - start;
-        let longest =
-            states.iter().map(|(_, state)| moved(state)).max_by(|a, b| a.norm().total_cmp(&b.norm()));
-        let longest = longest.unwrap_or_else(SVector::zeros);
+        let moves = mapped(states, &|(_, state)| moved(state));
+        let longest = highest(&moves, &SVector::norm).copied().unwrap_or_else(SVector::zeros);
         let farthest = longest.norm();
         let along = if farthest > 0.0 { longest / farthest } else { longest };
         let curve = states.iter().map(|(x, state)| (*x, along.dot(&moved(state)), along.dot(&force(state))));

@@ -1,6 +1,6 @@
 //! The scale of forces in pictures.
 
-use crate::numerics::least;
+use crate::numerics::{Reals, least};
 
 use nalgebra::SVector;
 
@@ -12,7 +12,7 @@ pub(super) type PushedContact = (SVector<f64, 3>, SVector<f64, 3>, f64);
 /// if there is no force.
 pub(super) fn metres_per_newton(pushes: &[PushedContact], size: f64, largest: f64) -> f64 {
     let inwards = |(at, normal, force): &PushedContact| {
-        let depth = pushes.iter().map(|(other, ..)| normal.dot(&(other - at))).fold(0.0, f64::max);
+        let depth = pushes.iter().map(|(other, ..)| normal.dot(&(other - at))).most();
         // The depth is the largest distance of another contact from this contact along its normal. If no arrow is longer than 0.48 times the depth,
         // the arrows of two opposing normal forces do not meet. A depth below 1e-3 of the size is a rounding error: the contacts lie side by side.
         if depth > 1e-3 * size && *force > 0.0 { 0.48 * depth / force } else { f64::INFINITY }

@@ -164,7 +164,7 @@ impl Painting {
                 }
                 Shape::Dashes { ends, width, .. } => along(ends[0], ends[1], *width, &mut inked),
                 Shape::Area { corners, ink } if ink.opacity == 1.0 => {
-                    inked.extend(corners.iter().map(|corner| (*corner, 20.0)));
+                    corners.iter().map(|corner| (*corner, 20.0)).append_to(&mut inked);
                 }
                 // Names may cover the inside of a tinted area, such as a friction cone, but should not cover its outline.
                 Shape::Area { corners, .. } => {

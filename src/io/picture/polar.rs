@@ -158,7 +158,7 @@ impl Polar {
             drawn.extend(&curve.points);
         }
         for (points, _) in &self.marks {
-            drawn.extend(points.iter().map(|(angle, _)| (*angle, numbered[0])));
+            points.iter().map(|(angle, _)| (*angle, numbered[0])).append_to(&mut drawn);
         }
         let crowd = |angle: f64| {
             let close = |(a, r): &(f64, f64)| {

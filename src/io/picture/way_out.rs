@@ -8,7 +8,7 @@ use super::painting::{Painting, flat};
 use super::palette::VERMILION;
 use super::sheet::PaperPoint;
 use crate::grasp::{Face, Motion};
-use crate::numerics::{highest, largest, mapped, moved, paired};
+use crate::numerics::{IntoList, highest, largest, mapped, moved, paired};
 use crate::planar::Twist;
 
 /// Points of the object, or of several bodies, before and after the motion.
@@ -33,11 +33,11 @@ impl MovedOutlines {
         for (body, outline) in outlines.iter().enumerate().filter(|(_, outline)| is_drawn(outline)) {
             closed.push(points.len()..points.len() + outline.len());
             let twist = Twist::from_inside(*motion.of_body(body));
-            points.extend(outline.iter().map(|corner| (*corner, twist)));
+            outline.iter().map(|corner| (*corner, twist)).append_to(&mut points);
         }
         if closed.is_empty() && motion.bodies.is_empty() {
             let twist = Twist::from_inside(motion.object);
-            points.extend(contacts.map(|point| (point, twist)));
+            contacts.map(|point| (point, twist)).append_to(&mut points);
         }
         let speed = |(p, twist): &(Vector2<f64>, Twist)| Vector2::from(twist.displacement_at(*p)).norm();
         let fastest = largest(&points, &speed);

@@ -10,6 +10,7 @@ use super::setup::Setup;
 use super::suspicious_numbers::far_load;
 use super::warning::Warning;
 use super::written::Scene;
+use crate::numerics::Reals;
 use crate::words::Unit;
 
 /// Names of fields whose values are lengths, provided that the value is a number or a list of numbers.
@@ -83,7 +84,7 @@ impl Setup<3> {
         each_at(questions, &mut |at| {
             let place = |a: usize| unit.in_metres(at.get(a).and_then(Value::as_f64).unwrap_or_default());
             let squares = (0..self.space.axes()).map(|a| (place(a) - centre[a]).powi(2));
-            farthest = farthest.max(squares.sum::<f64>().sqrt());
+            farthest = farthest.max(squares.added().sqrt());
         });
         let has_bodies = !self.bodies.is_empty();
         far_load(farthest, size).filter(|_| !has_bodies && self.odd_loads().is_empty())

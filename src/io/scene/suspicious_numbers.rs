@@ -15,7 +15,7 @@ use crate::grasp::{ATMOSPHERE, Hold, Wrench};
 use crate::load_path::{Leg, Turn};
 use crate::need::pressure_of_cup;
 use crate::numerics::tolerances::NEGLIGIBLE;
-use crate::numerics::{IntoList, Space, chosen, every_index, largest, mapped, picked};
+use crate::numerics::{IntoList, Reals, Space, chosen, every_index, largest, mapped, picked};
 use crate::statics::Closure;
 
 impl Setup<3> {
@@ -50,7 +50,7 @@ impl Setup<3> {
             });
         }
         let stiffness = |i: usize| largest(entries[i].contact.series_stiffness_of_axes().as_slice(), &|k| *k);
-        let softest = (0..entries.len()).map(stiffness).fold(f64::INFINITY, f64::min);
+        let softest = (0..entries.len()).map(stiffness).least();
         let force = |i: usize| entries[i].contact.press.or(entries[i].contact.force).unwrap_or(0.0);
         // Contacts of steel have 1e8 to 1e9 N/m; 1e11 N/m is implausible. So is a contact ten million times as stiff as the softest one, because the
         // softest contact then carries no noticeable share of the load.
@@ -135,9 +135,7 @@ impl Setup<3> {
         for question in &self.questions {
             // The load of a question `onset` is its field `direction` times the load factor; the magnitude of this vector therefore has no meaning.
             if !matches!(question, Question::Onset { .. }) {
-                for load in applied_loads(question) {
-                    heaviest = heaviest.max(force(&load).norm());
-                }
+                heaviest = heaviest.max(largest(&applied_loads(question), &|load| force(load).norm()));
             }
         }
         // Grippers are designed for loads that friction can carry; a hundred times the load that friction can carry is probably a mistake.
@@ -162,9 +160,7 @@ impl Setup<3> {
         };
         let mut far = 0.0_f64;
         for question in &self.questions {
-            for load in applied_loads(question) {
-                far = far.max(arm(&load));
-            }
+            far = far.max(largest(&applied_loads(question), &arm));
         }
         warnings.extend(far_load(far, size));
         warnings

@@ -12,7 +12,7 @@
 
 use nalgebra::SVector;
 
-use crate::numerics::{DoubleDouble, by_axis};
+use crate::numerics::{DoubleDouble, Reals, by_axis};
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
@@ -84,7 +84,7 @@ impl Compliance {
 
     /// Elastic energy `½ F·K⁻¹F` that the springs store under a force F, J.
     pub(crate) fn stored(&self, force: &SVector<f64, 3>) -> f64 {
-        (0..self.axes).map(|a| 0.5 * force[a] * force[a] / self.k[a]).sum()
+        (0..self.axes).map(|a| 0.5 * force[a] * force[a] / self.k[a]).added()
     }
 
     /// The diagonal of `K^{1/2}`, which converts forces from energy units to N, and stretches from m to energy units.

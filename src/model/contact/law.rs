@@ -15,7 +15,7 @@ use super::compliance::Compliance;
 use super::coulomb::Coulomb;
 use super::polygon::Polygon;
 use super::state::{Mode, State};
-use crate::numerics::least;
+use crate::numerics::{IntoList, least};
 use crate::prelude::*;
 
 /// The conditions that limit a contact, in an equilibrium or for the rates of its force and stretch as the load grows.
@@ -171,10 +171,10 @@ impl<'c> LocalLaw<'c> {
         let facets = self.facets();
         let numbers = || (0_u16..).zip(facets).map(|(j, _)| j);
         let mut states = vec![Mode::Sticking];
-        states.extend(numbers().map(Mode::Facet));
+        numbers().map(Mode::Facet).append_to(&mut states);
         if !self.is_planar() && facets.len() > 1 {
             let corners = if self.is_on_an_edge() { 1 } else { facets.len() };
-            states.extend(numbers().take(corners).map(Mode::Corner));
+            numbers().take(corners).map(Mode::Corner).append_to(&mut states);
         }
         if self.may_open() {
             states.push(Mode::Open);

@@ -2,6 +2,7 @@
 
 use nalgebra::SVector;
 
+use crate::numerics::Reals;
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
@@ -16,7 +17,7 @@ pub(crate) fn tangential(v: &SVector<f64, 3>) -> SVector<f64, 3> {
 /// The length of the tangential part. It is correct even if its square underflows: the force of a contact that hardly presses may be that small.
 #[inline(always)]
 pub(crate) fn tangential_norm(v: &SVector<f64, 3>) -> f64 {
-    let square: f64 = v.iter().skip(1).map(|x| x * x).sum();
+    let square: f64 = v.iter().skip(1).map(|x| x * x).added();
     // Squares between this number and its reciprocal lose no digits by underflow or overflow.
     let safe_square = 1e-280;
     if (safe_square..1.0 / safe_square).contains(&square) {

@@ -9,7 +9,7 @@ use nalgebra::SVector;
 use super::engine::Engine;
 use super::vacuum::Vacuum;
 use crate::error::{Error, Field, MODERATE, is_moderate};
-use crate::numerics::{cleared_for, mapped};
+use crate::numerics::{IntoList, cleared_for, mapped};
 use crate::prelude::*;
 
 impl Engine {
@@ -108,7 +108,7 @@ impl Engine {
             for contact in self.wholes().iter() {
                 let is_link = contact.label.link.is_some();
                 let row = rows.get(count).copied().unwrap_or_default();
-                points.extend(contact.range.clone().map(|i| if is_link { links(i) } else { row }));
+                contact.range.clone().map(|i| if is_link { links(i) } else { row }).append_to(&mut points);
                 count += usize::from(!is_link);
             }
             if rows.len() != count {
@@ -189,12 +189,12 @@ impl Engine {
         offsets: &mut Vec<SVector<f64, 3>>,
     ) {
         cleared_for(offsets, self.sites.len());
-        offsets.extend(commands.zip(&self.contacts).map(|(mut a, contact)| {
-            a[0] -= contact.clearance;
-            a
-        }));
+        for (mut offset, contact) in commands.zip(&self.contacts) {
+            offset[0] -= contact.clearance;
+            offsets.push(offset);
+        }
         if let Some(linkage) = self.linkage() {
-            offsets.extend(linkage.stretches(of_joints));
+            linkage.stretches(of_joints).append_to(offsets);
         }
     }
 

@@ -13,7 +13,7 @@ use super::whole_contact::WholeContacts;
 use super::wrench::Wrench;
 use crate::contact::State;
 use crate::error::{Error, LARGEST};
-use crate::numerics::{Size, Space, moved};
+use crate::numerics::{IntoList, Size, Space, chosen, moved, summed};
 use crate::prelude::*;
 
 /// A grasp with validated contacts. The coordinates of the grasp are the 3 or 6 coordinates of the object, then the coordinates of joints and of
@@ -60,7 +60,7 @@ impl Engine {
         for (i, (site, motions)) in grasp.sites.iter_mut().zip(&linkage.motions).enumerate() {
             site.move_with(grasp.space, motions, &linkage.lengths, on_object(i));
         }
-        grasp.sites.extend(linkage.drives.iter().map(|drive| drive.site(grasp.space, size)));
+        linkage.drives.iter().map(|drive| drive.site(grasp.space, size)).append_to(&mut grasp.sites);
         grasp.linkage = Some(Box::new(linkage));
         grasp.vacuum = Vacuum::of(grasp.space, &grasp.contacts, &grasp.sites);
         Ok(grasp)
@@ -128,10 +128,13 @@ impl Engine {
             contact.check(index)?;
         }
         let contacts: Vec<_> = moved(contacts, &Contact::resolved);
-        let meant = || contacts.iter().enumerate().filter(|(i, _)| is_meant(*i)).map(|(_, contact)| contact);
-        let count = meant().count().max(1) as f64;
-        let origin = meant().fold(SVector::zeros(), |sum, c| sum + c.point / count);
-        let spread = meant().map(|c| (c.point - origin).norm_squared() / count).sum::<f64>().sqrt();
+        let meant = chosen(contacts.len(), &|i| is_meant(*i));
+        let count = meant.len().max(1) as f64;
+        let mut origin = SVector::zeros();
+        for i in &meant {
+            origin += contacts[*i].point / count;
+        }
+        let spread = summed(&meant, &|i| (contacts[*i].point - origin).norm_squared() / count).sqrt();
         // If the contacts lie in a single point, they have no extent, and the unit of length is 1 m.
         let length = if spread * LARGEST > 1.0 { spread } else { 1.0 };
         let mut sites = Vec::with_capacity(contacts.len());

@@ -12,7 +12,7 @@ use super::contact::Contact;
 use super::face::{Face, face_of_struct, inside, outside};
 use super::pressure::{Layer, Pressure};
 use crate::error::{Error, LARGEST};
-use crate::numerics::{Space, indexed, largest, moved};
+use crate::numerics::{Reals, Space, indexed, largest, mapped, moved};
 use crate::prelude::*;
 
 /// A patch of point contacts that models one fingertip; its stiffness and friction limits have closed forms.
@@ -96,13 +96,9 @@ face_of_struct! {
 /// Points across a line contact of half width 1, in ascending order: position, and fraction of the load. Each quadrature node of `layers`, given by
 /// its distance from the middle, becomes two points, one on either side.
 pub(super) fn along_a_line(layers: &[Layer]) -> Vec<(f64, f64)> {
-    let mut all = Vec::with_capacity(2 * layers.len());
-    for layer in layers.iter().rev() {
-        all.push((-layer.distance, 0.5 * layer.weight));
-    }
-    for layer in layers {
-        all.push((layer.distance, 0.5 * layer.weight));
-    }
+    let mut all = mapped(layers, &|layer| (-layer.distance, 0.5 * layer.weight));
+    all.reverse();
+    all.extend(mapped(layers, &|layer| (layer.distance, 0.5 * layer.weight)));
     all
 }
 
@@ -308,7 +304,7 @@ impl<const C: usize> SoftFingertip<C> {
     /// of the [two tilting stiffnesses](SoftFingertip::tilting_stiffnesses).
     #[must_use]
     pub fn tilting_stiffness(&self, contact: &Contact<C>) -> f64 {
-        let least = (1..C).map(|axis| self.square(axis)).fold(f64::INFINITY, f64::min);
+        let least = (1..C).map(|axis| self.square(axis)).least();
         contact.series_stiffness_of_axes()[0] * least
     }
 
@@ -319,7 +315,7 @@ impl<const C: usize> SoftFingertip<C> {
     #[must_use]
     pub fn first_opening(&self, normal_force: f64) -> f64 {
         let along = |axis: usize| self.square(axis) / self.largest(|at| at[axis].abs());
-        normal_force * (1..C).map(along).fold(f64::INFINITY, f64::min)
+        normal_force * (1..C).map(along).least()
     }
 
     /// Mean square of the points' coordinates along a tangent, weighted by their fractions of the stiffness, m². `axis` is 1 or 2.
@@ -329,7 +325,7 @@ impl<const C: usize> SoftFingertip<C> {
 
     /// Mean of a function of the position over all points, weighted by their fractions of the stiffness.
     fn mean(&self, f: impl Fn(&SVector<f64, C>) -> f64) -> f64 {
-        self.points.iter().map(|place| place.weight * f(&place.offset)).sum()
+        self.points.iter().map(|place| place.weight * f(&place.offset)).added()
     }
 
     fn largest(&self, f: impl Fn(&SVector<f64, C>) -> f64) -> f64 {

@@ -30,8 +30,10 @@ impl PointsOfAction {
     /// The sum V after all points have moved by `shift`, m; `force` is the resultant of the forces, N.
     pub(crate) fn moved<const C: usize>(self, force: &SVector<f64, C>, shift: &SVector<f64, C>) -> Self {
         self.map(|mut sum| {
-            for (i, j) in (0..C).flat_map(|i| (0..C).map(move |j| (i, j))) {
-                sum[(i, j)] += force[i] * shift[j];
+            for i in 0..C {
+                for j in 0..C {
+                    sum[(i, j)] += force[i] * shift[j];
+                }
             }
             sum
         })

@@ -5,8 +5,8 @@ use nalgebra::{SMatrix, SVector};
 use super::contact::Contact;
 use super::stiffness::Stiffness;
 use crate::error::{Error, Field, LARGEST, MODERATE, is_moderate};
-use crate::numerics::Space;
 use crate::numerics::tolerances::SOLVED_ROUNDING;
+use crate::numerics::{Space, dot};
 
 impl<const C: usize> Contact<C> {
     /// The contact frame: orthonormal columns n, t in the plane or n, t₁, t₂ in space. Returns an error if normal or tangent has no direction, or if
@@ -20,11 +20,11 @@ impl<const C: usize> Contact<C> {
         let mut frame: SMatrix<f64, C, C> = SMatrix::zeros();
         frame.set_column(0, &n);
         if self.space == Space::Planar {
-            let mut t = SVector::zeros();
+            let mut t: SVector<f64, C> = SVector::zeros();
             t[0] = n[1];
             t[1] = -n[0];
             if let Some(hint) = &self.tangent {
-                let side = hint.dot(&t);
+                let side = dot(hint.as_slice(), t.as_slice());
                 // A given tangent counts as parallel to the normal if its component across the normal is below the fraction `SOLVED_ROUNDING` of its
                 // length. Rounding turns a tangent by some 1e-16, and must not choose the sign of t. If the bound were much larger, tangents with a
                 // clear direction would be rejected.
@@ -50,8 +50,8 @@ impl<const C: usize> Contact<C> {
             axis
         };
         // The projection is repeated, so that t₁ is orthogonal to n to the last bit even if the given tangent is nearly parallel to n.
-        let flat = hint - n * n.dot(&hint);
-        let flat = flat - n * n.dot(&flat);
+        let across = |v: SVector<f64, C>| v - n * dot(n.as_slice(), v.as_slice());
+        let flat = across(across(hint));
         if flat.norm() <= SOLVED_ROUNDING {
             return Err(fault(Field::Tangent, given, "not along the normal"));
         }

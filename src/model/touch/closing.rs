@@ -9,7 +9,7 @@ use super::rays::{FLUSH, PadHits, RayHit};
 use super::touched::{Touched, advance_under};
 use crate::error::{Error, Field};
 use crate::grasp::Contact;
-use crate::numerics::{mapped, summed};
+use crate::numerics::{Reals, mapped, summed};
 
 /// A pad with a position and a closing direction.
 ///
@@ -99,7 +99,7 @@ impl Touch {
             Some(force) => advance_under(force, &points, &gaps, &closing)?,
         };
         let along = commanded + closing * (advance - commanded.dot(&closing));
-        let touching = gaps.iter().copied().fold(f64::INFINITY, f64::min) + near;
+        let touching = gaps.iter().copied().least() + near;
         let mut steepest = 0.0_f64;
         for ((point, meeting), gap) in points.iter_mut().zip(&pad_point_hits).zip(&gaps) {
             // Until a point touches, its motion along the surface does not stretch its tangential springs. This motion is subtracted from the command

@@ -104,7 +104,7 @@ impl MapEntries {
             let rows: Vec<usize> = ranges.iter().cloned().flatten().list();
             let mut entries = Vec::with_capacity(3 * rows.len());
             for a in 0..3 {
-                entries.extend(rows.iter().map(|k| *self.entry(*k, a)));
+                rows.iter().map(|k| *self.entry(*k, a)).append_to(&mut entries);
             }
             *self = Self::Few(FewRows { rows, entries });
         }

@@ -1,6 +1,7 @@
 //! Dot products over slices, in an order that does not depend on zeros among the terms.
 
 use super::size::WHOLE;
+use crate::numerics::add_times;
 
 #[inline]
 pub(super) fn exactly<const N: usize>(list: &[f64]) -> Option<&[f64; N]> {
@@ -63,9 +64,7 @@ pub(super) fn add_combined(columns: &[f64], times: &[f64], to: &mut [f64]) {
     for (column, times) in columns.chunks_exact(rows).zip(times) {
         // Many components of the vector `times` are zero, so this test saves time.
         if *times != 0.0 {
-            for (sum, entry) in to.iter_mut().zip(column) {
-                *sum += entry * times;
-            }
+            add_times(to, column, *times);
         }
     }
 }

@@ -1,5 +1,6 @@
 //! A square matrix over coordinates. The coordinates of a grasp describe the motion of the object, of joints and of further bodies.
 
+use crate::numerics::add_times;
 use core::ops::{Add, AddAssign, Index, IndexMut, Mul};
 
 use nalgebra::SMatrix;
@@ -126,9 +127,7 @@ impl Square {
     pub(crate) fn add_product(&mut self, a: &[f64], b: &[f64]) {
         let n = self.size.count();
         for (column, b) in self.as_mut_slice().chunks_exact_mut(n.max(1)).zip(b) {
-            for (entry, a) in column.iter_mut().zip(a) {
-                *entry += a * b;
-            }
+            add_times(column, a, *b);
         }
     }
 }
@@ -205,7 +204,7 @@ impl Mul<&Square> for &Square {
 impl AddAssign<&Square> for Square {
     #[inline]
     fn add_assign(&mut self, other: &Square) {
-        self.as_mut_slice().iter_mut().zip(other.as_slice()).for_each(|(x, y)| *x += y);
+        add_times(self.as_mut_slice(), other.as_slice(), 1.0);
     }
 }
 

@@ -1,6 +1,6 @@
 //! A vector over coordinates. The coordinates of a grasp describe the motion of the object, of joints and of further bodies.
 
-use crate::numerics::by_axis;
+use crate::numerics::{add_times, by_axis};
 use core::ops::{Deref, Index, IndexMut};
 
 use nalgebra::SVector;
@@ -72,9 +72,7 @@ impl Vector {
             }
             return;
         }
-        for (x, y) in to.iter_mut().zip(other) {
-            *x += y * times;
-        }
+        add_times(to, other, times);
     }
 
     /// The components as an array of six numbers, with zeros beyond the last component; `None` for more than six components.

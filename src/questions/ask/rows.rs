@@ -1,7 +1,7 @@
 //! Rows of a batch, each a grasp with its loads, and the load factors of first slip that screening computes for the rows. At first slip the first
 //! contact ceases to stick. The base load acts before the other load grows.
 
-use crate::numerics::{IntoList, Space};
+use crate::numerics::{IntoList, Space, numbered};
 use core::ops::Range;
 
 use crate::grasp::{Contact, Hold, Wrench};
@@ -23,10 +23,7 @@ pub(crate) fn answers_of_rows<T: Send>(
     rows: usize,
     answers: &(dyn Fn(Range<usize>) -> Vec<T> + Sync),
 ) -> Vec<T> {
-    let mut chunks: Vec<_> = Vec::new();
-    for first in (0..rows).step_by(CHUNK) {
-        chunks.push(first..rows.min(first + CHUNK));
-    }
+    let chunks = numbered(rows.div_ceil(CHUNK), &|k| k * CHUNK..rows.min((k + 1) * CHUNK));
     map_in_order(&chunks, |chunk| answers(chunk.clone())).into_iter().flatten().list()
 }
 

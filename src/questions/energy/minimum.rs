@@ -12,7 +12,7 @@ use crate::Settings;
 use crate::error::Error;
 use crate::grasp::{Coordinates, Engine, Motion, Twist, Wrench};
 use crate::numerics::tolerances::SOLVED_ROUNDING;
-use crate::numerics::{IntoList, Vector, mapped, numbered, summed};
+use crate::numerics::{IntoList, Reals, Vector, mapped, numbered, summed};
 use crate::object::Unbalanced;
 use crate::prelude::*;
 #[cfg(feature = "serde")]
@@ -223,10 +223,10 @@ impl Engine {
             }
         };
         let stored = self.sites().iter().zip(&point.forces).take(self.len());
-        let mut stored_energy = stored.map(|(site, f)| site.springs.stored(f)).sum::<f64>();
+        let mut stored_energy = stored.map(|(site, f)| site.springs.stored(f)).added();
         if let Some(linkage) = self.linkage() {
             let drives = linkage.drives.iter().zip(&point.forces[self.len()..]);
-            stored_energy += drives.map(|(drive, force)| drive.stored(force)).sum::<f64>();
+            stored_energy += drives.map(|(drive, force)| drive.stored(force)).added();
         }
         let own_work = match self.bodies() {
             None => {

@@ -35,7 +35,7 @@ use super::energy_rows::{ForceCondition, axis_springs, by_pivots, dense, rows, v
 use crate::Settings;
 use crate::lcp::{Basis, Outcome};
 use crate::numerics::tolerances::SOLVED_ROUNDING;
-use crate::numerics::{IntoList, Singular, Vector, mapped, numbered};
+use crate::numerics::{IntoList, Reals, Singular, Vector, mapped, numbered};
 use crate::object::{ForcesAndTwist, LinearProblem, Problem};
 use crate::prelude::*;
 
@@ -275,7 +275,7 @@ impl<'g> EnergyProgram<'g> {
             let springs = &problem.sites[i].springs;
             springs.deflection(&point.forces[i]).component_mul(&springs.root()).amax()
         };
-        let x_size = (0..problem.len()).map(x).fold(0.0, f64::max);
+        let x_size = (0..problem.len()).map(x).most();
         let largest = point.multipliers.iter().fold(x_size, |most, l| most.max(l.abs()));
         // `push - held`, in newtons, is the multiplier of the condition that a gap is not negative. `push` is the normal force, `held` the normal
         // component of the force that the friction multipliers λ exert. In energy coordinates x the difference is `√k_n (x - Nᵀλ)_n`, with the matrix

@@ -22,7 +22,7 @@ use super::first_slip::{begins_to_slide, rest_that_slips};
 use super::verdict::{FirstSlip, Holding, Lost, NoEquilibriumNear, Verdict};
 use super::way_out::WayOut;
 use crate::numerics::tolerances::NEGLIGIBLE;
-use crate::numerics::{IntoList, largest, mapped};
+use crate::numerics::{IntoList, add_times, largest, mapped};
 use crate::prelude::*;
 
 /// How far [`Engine::hold_with`] follows the load path, and which fields of the verdict it computes.
@@ -318,10 +318,7 @@ impl Engine {
         let state = lost.state.as_ref()?;
         let load = self.load_alone(&ramp.load_at(1.0), "load").ok()?;
         let mut offsets = self.offsets();
-        offsets
-            .iter_mut()
-            .zip(ramp.offset_changes(self).ok()?)
-            .for_each(|(offset, change)| *offset += change);
+        add_times(&mut offsets, &ramp.offset_changes(self).ok()?, 1.0);
         let polygon = Polygon::shared(self.space(), &settings.cone);
         let problem = self.problem(polygon, settings.is_round(self.space()), offsets, &Load::from(&load));
         let at = state.local.twist.to();

@@ -7,7 +7,7 @@ use super::words::amount_of;
 use crate::grasp::{Engine, WholeContact, WholeContacts};
 use crate::load_path::{Event, Jump, JumpSlip, Leg, PathEnd, Ramp};
 use crate::numerics::tolerances::NEGLIGIBLE;
-use crate::numerics::{IntoList, largest, moved, picked};
+use crate::numerics::{IntoList, highest, largest, moved, picked};
 use crate::prelude::*;
 use crate::search::Settings;
 #[cfg(feature = "serde")]
@@ -81,7 +81,7 @@ pub struct CaughtMotion {
 impl CaughtMotion {
     fn of(parts: &WholeContacts, jump: &Jump<3>) -> Option<Self> {
         let contacts = parts.with(&|i| jump.reaches.iter().any(|contact| contact.index == i));
-        let farthest = jump.moved.iter().max_by(|a, b| a.speed().total_cmp(&b.speed()))?;
+        let farthest = highest(&jump.moved, &|part| part.speed())?;
         let (distance, angle) = (farthest.middle_moves().norm(), farthest.twist.parts().1.size());
         let (turning, slides) = (farthest.turning_moves(), !jump.slips.is_empty());
         let body = farthest.body.to_string();

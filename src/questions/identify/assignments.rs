@@ -164,7 +164,7 @@ fn weakened(model: &Model<'_>, logs: &[f64], (weak, strong): (usize, usize), hal
     let mut begin = logs.to_vec();
     begin[strong] = high;
     begin[weak] = low;
-    for k in (0..begin.len()).filter(|k| *k != weak) {
+    for k in chosen(begin.len(), &|k| *k != weak) {
         // If a third parameter, of the same kind as `weak`, equals the smaller of the two values, it is doubled. Otherwise its contact would slip
         // together with the contact of `weak`.
         if (begin[k] - low).abs() <= INDISTINCT && unknowns[k].kind == unknowns[weak].kind {
@@ -278,7 +278,7 @@ fn united(mut answer: Identified, others: &[Identified]) -> Identified {
         return answer;
     }
     let mut all = vec![answer.estimates.clone()];
-    all.extend(others.iter().map(|other| other.estimates.clone()));
+    others.iter().map(|other| other.estimates.clone()).append_to(&mut all);
     for (j, estimate) in answer.estimates.iter_mut().enumerate() {
         if !all.iter().all(|other| is_alike(&all[0][j], &other[j])) {
             estimate.is_fixed = false;

@@ -2,7 +2,7 @@
 //! friction. An observation is a load or angle at which slip was observed.
 
 use super::tolerances::NO_COMPONENT;
-use crate::numerics::{Each, IntoList, chosen, mapped};
+use crate::numerics::{Each, IntoList, Reals, chosen, mapped};
 use nalgebra::DMatrix;
 
 use crate::prelude::*;
@@ -44,7 +44,7 @@ impl FreeCombination {
             }
             free.column_mut(k).scale_mut(pivot.recip());
             let this = free.column(k).into_owned();
-            for other in (0..free.ncols()).filter(|other| *other != k) {
+            for other in chosen(free.ncols(), &|other| *other != k) {
                 let times = free[(row, other)];
                 free.column_mut(other).axpy(-times, &this, 1.0);
             }
@@ -64,8 +64,7 @@ impl FreeCombination {
             let [powered, added]: [Vec<f64>; 2] =
                 [along.clone().map(f64::exp).list(), along.map(|x| 1.0 + x).list()];
             let changes = direction.iter().zip(values).map(|(x, value)| x * value);
-            let is_even =
-                changes.clone().sum::<f64>().abs() <= NO_COMPONENT * changes.map(f64::abs).sum::<f64>();
+            let is_even = changes.clone().added().abs() <= NO_COMPONENT * changes.map(f64::abs).added();
             let law = if stays(&powered) {
                 Law::Powers
             } else if is_even && stays(&added) {

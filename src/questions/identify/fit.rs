@@ -11,7 +11,9 @@ use super::robust::Huber;
 use super::tolerances::{CONVERGED_GAIN, CONVERGED_STEP, INDISTINCT};
 use super::unknown::UnknownKind;
 use crate::error::Error;
-use crate::numerics::{IntoList, Singular, counted, every_index, mapped, matrix_of, two_sided, vector_of};
+use crate::numerics::{
+    IntoList, Reals, Singular, chosen, counted, every_index, highest, mapped, matrix_of, two_sided, vector_of,
+};
 use crate::prelude::*;
 
 /// The parameters with the least loss, as found by a search: `logs` are their logarithms. `linear` has the residuals of all observations and known
@@ -87,7 +89,7 @@ impl Model<'_> {
             let u = r / sigma;
             if row < self.asked.slips.len() { self.huber().loss(u) } else { 0.5 * u * u }
         };
-        residuals.iter().zip(&scatter.rows).enumerate().map(of_row).sum()
+        residuals.iter().zip(&scatter.rows).enumerate().map(of_row).added()
     }
 }
 
@@ -171,8 +173,8 @@ fn off_the_plateau(model: &Model<'_>, fit: &Fitted) -> Result<Option<(Vec<f64>, 
         every_index(changes.len(), &|j| !changes[j] || linear.jacobian[(k, j)] == 0.0)
     };
     let off = |k: &usize| here.residuals[*k].abs();
-    let flat = (0..model.asked.slips.len()).filter(|k| off(k) > INDISTINCT && is_flat(here, *k));
-    let Some(slip) = flat.max_by(|a, b| off(a).total_cmp(&off(b))) else { return Ok(None) };
+    let flat = chosen(model.asked.slips.len(), &|k| off(k) > INDISTINCT && is_flat(here, *k));
+    let Some(&slip) = highest(&flat, &off) else { return Ok(None) };
     let mut logs = fit.logs.clone();
     for _ in 0..if changes.contains(&true) { 12 } else { 0 } {
         for (log, _) in logs.iter_mut().zip(&changes).filter(|(_, changes)| **changes) {
@@ -296,7 +298,7 @@ fn fitted_with(
 /// Number of independent combinations of parameters that observations and known sums determine.
 pub(super) fn rank(linear: &Linear) -> usize {
     let (values, ..) = singular(&linear.jacobian, &linear.residuals, &vec![1.0; linear.residuals.len()]);
-    let most = values.iter().copied().fold(0.0, f64::max);
+    let most = values.iter().copied().most();
     values.iter().filter(|value| **value > INDISTINCT * most).count()
 }
 
@@ -323,7 +325,7 @@ impl LinearisedFit {
     /// The step in the logarithms of the parameters for the damping `damping`, a fraction of the square of the largest singular value. The step is
     /// zero along combinations of parameters that the observations do not determine.
     fn step(&self, damping: f64) -> DVector<f64> {
-        let most = self.values.iter().copied().fold(0.0, f64::max);
+        let most = self.values.iter().copied().most();
         let mut step = DVector::zeros(self.directions.nrows());
         for (k, value) in self.values.iter().enumerate().filter(|(_, value)| **value > INDISTINCT * most) {
             let along = value * self.along[k] / (value * value + damping * most * most);
@@ -338,7 +340,7 @@ impl LinearisedFit {
             let component = value * self.directions.column(k).dot(&step.column(0));
             component * self.along[k] - 0.5 * component * component
         };
-        self.values.iter().enumerate().map(part).sum()
+        self.values.iter().enumerate().map(part).added()
     }
 }
 

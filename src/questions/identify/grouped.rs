@@ -19,7 +19,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use crate::numerics::tolerances::NEGLIGIBLE;
-use crate::numerics::{IntoList, mapped, paired, summed, symmetric_eigen};
+use crate::numerics::{IntoList, mapped, paired, summed, symmetric_eigen, vector_of};
 use crate::prelude::*;
 
 /// Groups of observations that may share an error, with the contribution of each group to the estimates and to their standard errors.
@@ -70,7 +70,7 @@ impl Grouped {
         };
         let group = |those: &Vec<usize>| {
             let tells = square(those);
-            let own = DVector::from_iterator(those.len(), those.iter().map(|row| residuals[*row]));
+            let own = vector_of(those.len(), &|k| residuals[those[k]]);
             let made_up = inverse_root_of_rest(&tells);
             let moves = &made_up * rows.select_rows(those).tr_mul(&own);
             Group { tells, made_up, moves }

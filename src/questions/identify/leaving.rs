@@ -103,9 +103,7 @@ impl<'a, 's> GrossSlip<'a, 's> {
         for contact in &self.pressing {
             fixed_directions.push(contact.normal.clone());
             if contact.sticks {
-                for axis in 0..contact.tangents.ncols() {
-                    fixed_directions.push(contact.tangents.column(axis).into_owned());
-                }
+                fixed_directions.extend(contact.tangents.column_iter().map(nalgebra::Matrix::into_owned));
             }
         }
         fixed_directions
@@ -230,9 +228,7 @@ impl Equations {
         }
         for contact in pressing {
             if contact.sticks {
-                for tangent in contact.tangents.column_iter() {
-                    columns.push(tangent.into_owned());
-                }
+                columns.extend(contact.tangents.column_iter().map(nalgebra::Matrix::into_owned));
             }
         }
         columns.push(leaving.one_length(&leaving.target.load_rate(leaving.at)));

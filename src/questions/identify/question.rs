@@ -2,7 +2,7 @@
 //! friction. An observation is a load or an angle at which slip was observed. A layout is an arrangement of the contact points. A known sum is a sum
 //! of parameters that is known from another measurement. A carried force is the normal force of a contact before the load of an observation grows.
 
-use crate::numerics::{IntoList, mapped};
+use crate::numerics::{IntoList, mapped, tried};
 use nalgebra::SVector;
 
 use super::answer::Identified;
@@ -200,9 +200,7 @@ impl Identify<3> {
     /// The grasps of all layouts: the given grasp, copies of it with the contacts at other points, then the grasps that [`Self::and_layouts`] added.
     fn layouts(&self, grasp: &Grasp<3>) -> Result<Vec<Grasp<3>>, Error> {
         let mut all = vec![grasp.clone()];
-        for points in &self.layouts {
-            all.push(grasp.moved_to(points)?);
-        }
+        all.extend(tried(&self.layouts, &|points| grasp.moved_to(points))?);
         all.extend(self.others.grasps.iter().cloned());
         Ok(all)
     }

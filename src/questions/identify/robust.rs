@@ -1,7 +1,7 @@
 //! Huber's loss: quadratic in small residuals and linear in large ones, so that a few wrong observations have little influence.
 
 use crate::numerics::tolerances::SOLVED_ROUNDING;
-use crate::numerics::{normal_density, normal_tail, summed};
+use crate::numerics::{Reals, normal_density, normal_tail, summed};
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 
@@ -34,7 +34,7 @@ impl Huber {
     /// The sum of the squares of Huber's psi of the residuals. The residuals are in standard deviations; psi clamps them where the loss becomes
     /// linear.
     pub(super) fn squares(self, residuals: impl Iterator<Item = f64>) -> f64 {
-        residuals.map(|u| self.pull(u).powi(2)).sum()
+        residuals.map(|u| self.pull(u).powi(2)).added()
     }
 
     /// A robust standard deviation of residuals with this number of degrees of freedom (Huber's second proposal). It is defined so that the

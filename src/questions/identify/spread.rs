@@ -11,7 +11,7 @@ use super::grouped::Grouped;
 use super::model::{Linear, Model};
 use super::robust::Huber;
 use super::tolerances::INDISTINCT;
-use crate::numerics::{IntoList, all_some, mapped, numbered, two_sided};
+use crate::numerics::{IntoList, Reals, all_some, mapped, numbered, two_sided};
 use crate::prelude::*;
 
 /// The answer from one fit: estimates with standard errors and intervals, combinations of parameters that the observations do not determine,
@@ -143,7 +143,7 @@ impl Spread {
     }
 
     fn fixes(&self, unknown: usize) -> bool {
-        self.free().row(unknown).iter().map(|x| x * x).sum::<f64>() <= INDISTINCT
+        self.free().row(unknown).iter().map(|x| x * x).added() <= INDISTINCT
     }
 
     /// The standard error of the logarithm of a parameter, and the degrees of freedom of Student's interval (`None` for a normal distribution).

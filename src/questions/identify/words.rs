@@ -6,7 +6,7 @@ use core::fmt;
 use super::answer::{Estimate, FitEnding, Identified};
 use super::assignments::is_alike;
 use super::unknown::UnknownKind;
-use crate::numerics::{Each, IntoList, mapped, picked};
+use crate::numerics::{Each, IntoList, chosen, mapped, picked};
 use crate::prelude::*;
 use crate::words::{Words, listed};
 
@@ -17,7 +17,7 @@ impl fmt::Display for Identified {
         if let FitEnding::NotPredicted { slip, says } = &self.ending {
             return write!(f, "NOT FOUND from {slips}: slip {slip} is not predicted, {says}");
         }
-        let open: Vec<usize> = (0..self.estimates.len()).filter(|j| self.depends_on_assignment(*j)).list();
+        let open: Vec<usize> = chosen(self.estimates.len(), &|j| self.depends_on_assignment(*j));
         let clauses: Vec<_> = (0..self.estimates.len())
             .filter(|j| !open.contains(j))
             .map(|j| self.estimates[j].text(words))

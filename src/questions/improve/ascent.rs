@@ -20,7 +20,7 @@ use crate::contact::ActiveSet;
 use crate::equilibrium::ContactState;
 use crate::error::Error;
 use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
-use crate::numerics::{all_some, least, mapped, numbered};
+use crate::numerics::{Reals, all_some, least, mapped, numbered};
 use crate::prelude::*;
 
 /// A [`DesignPoint`] with which all contacts stick under the base load and the commands, except idle ones, which touch without force. Its contact
@@ -136,7 +136,7 @@ impl AscentProblem<'_> {
         most: &[Option<f64>],
     ) -> Result<Option<EvaluatedDesign>, Error> {
         let (mut known, bounds) = events(self.loaded, most, core::slice::from_ref(&sticking), &[]);
-        let size = (0..most.len()).map(|i| sticking.at_rest(i).norm()).fold(0.0, f64::max);
+        let size = (0..most.len()).map(|i| sticking.at_rest(i).norm()).most();
         if bounds.iter().any(|bound| bound.left < -SOLVED_ROUNDING * size) {
             return Ok(None);
         }

@@ -12,7 +12,7 @@ use crate::contact::Mode;
 use crate::equilibrium::{Cone, Parameter, StickingResponse};
 use crate::error::Error;
 use crate::grasp::Wrench;
-use crate::numerics::{Vector, all_some, indexed, numbered, unit};
+use crate::numerics::{IntoList, Vector, add_times, all_some, chosen, indexed, numbered, unit};
 use crate::object::ForcesAndTwist;
 use crate::prelude::*;
 
@@ -56,7 +56,7 @@ fn response<'g>(grasp: &'g Grasp<3>, open: &[bool]) -> StickingResponse<'g> {
         return sticking;
     }
     let mut states = sticking.states;
-    for contact in (0..open.len()).filter(|contact| open[*contact]) {
+    for contact in chosen(open.len(), &|contact| open[*contact]) {
         states[contact] = Mode::Open;
     }
     StickingResponse::in_states(&grasp.engine, Cone::of(grasp.engine.space(), grasp.settings()), &states)
@@ -74,7 +74,7 @@ impl StickingForces {
         let grasp = Grasp::new(design_space.contacts(design_point))?.with(design_space.settings);
         let (engine, response) = (&*grasp.engine, response(&grasp, open));
         let (mut rest, mut squeeze) = (engine.offsets(), response.at_rest());
-        for i in (0..rest.len()).filter(|i| design_point.presses[*i].is_some()) {
+        for i in chosen(rest.len(), &|i| design_point.presses[*i].is_some()) {
             squeeze[i][0] = core::mem::take(&mut rest[i][0]);
         }
         let mut sources = vec![
@@ -82,7 +82,7 @@ impl StickingForces {
             response.state(&squeeze, &Vector::zeros()),
         ];
         let under = |load| response.state(&response.at_rest(), &engine.inside_unchecked(load));
-        sources.extend(loads.iter().map(under));
+        loads.iter().map(under).append_to(&mut sources);
         let Some(sources) = all_some(sources.into_iter()) else { return Ok(None) };
         let closing = indexed(&sources, &|(source, state): (usize, &ForcesAndTwist)| {
             let closing = |contact: usize| {
@@ -191,8 +191,8 @@ impl StickingForces {
             }
             for (parameter, times) in data.iter().filter(|(_, times)| *times != 0.0) {
                 let by = response.derivative(state, *parameter)?;
-                sum.iter_mut().zip(by.forces).for_each(|(sum, force)| *sum += force * *times);
-                for i in (0..self.open.len()).filter(|i| self.open[*i]) {
+                add_times(sum, &by.forces, *times);
+                for i in chosen(self.open.len(), &|i| self.open[*i]) {
                     let stretch =
                         response.normal_stretch_derivative(i, &state.twist, &by.twist, *parameter)?;
                     sum[i][0] += stretch * normal_stiffness(&self.grasp, i) * times;

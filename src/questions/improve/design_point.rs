@@ -13,7 +13,7 @@ use crate::ask::Grasp;
 use crate::equilibrium::Settings;
 use crate::error::Error;
 use crate::grasp::{Contact, Hold, Space, WholeContacts};
-use crate::numerics::{Draw, IntoList, largest, numbered};
+use crate::numerics::{Draw, IntoList, chosen, largest, numbered};
 use crate::prelude::*;
 
 /// One variable of the search: the place of a contact along one direction, or its commanded normal force.
@@ -63,7 +63,7 @@ impl DesignPoint {
     /// This design point with the contacts in `idle` idle: they are open or without force until a load pushes them, and their commands do not vary.
     pub(super) fn with_idle(&self, idle: &[bool]) -> Self {
         let mut design_point = self.clone();
-        for contact in (0..idle.len()).filter(|contact| idle[*contact]) {
+        for contact in chosen(idle.len(), &|contact| idle[*contact]) {
             design_point.presses[contact] = None;
         }
         design_point.idle = idle.to_vec();

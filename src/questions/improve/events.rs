@@ -85,7 +85,7 @@ struct PressedContact<'a> {
 
 impl PressedContact<'_> {
     fn by_variable(&self, f: &dyn Fn(&BySource) -> f64) -> DVector<f64> {
-        DVector::from_iterator(self.derivatives.len(), self.derivatives.iter().map(f))
+        DVector::from_vec(mapped(self.derivatives, f))
     }
 
     /// The derivative of this contact's force under the base load with respect to one variable. `d` has these derivatives for all contact forces.

@@ -93,9 +93,8 @@ impl Improve<3> {
             }
         }
         let mut design_points = mapped(&kinds, &|kind| (*kind).clone());
-        for k in increasing(&values).into_iter().take(self.starts()) {
-            design_points.push(places[k].clone());
-        }
+        let best = increasing(&values).into_iter().take(self.starts());
+        best.map(|k| places[k].clone()).append_to(&mut design_points);
         let ascents = in_order(&design_points, &|design_point| {
             ascent_problem
                 .evaluate(design_point.clone())?

@@ -10,6 +10,7 @@
 use super::ascent::{Ascent, AscentProblem, EvaluatedDesign};
 use super::design_point::DesignPoint;
 use crate::error::Error;
+use crate::numerics::moved;
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::prelude::*;
 
@@ -54,9 +55,8 @@ impl AscentProblem<'_> {
                 all = self.design_space.with_location(&all, *contact, first.clone());
                 move_at_once += 1;
             }
-            for other in others {
-                design_points.push(self.design_space.with_location(from, *contact, other));
-            }
+            design_points
+                .extend(moved(others, &|other| self.design_space.with_location(from, *contact, other)));
         }
         if move_at_once > 1 {
             design_points.push(all);

@@ -1,6 +1,6 @@
 //! A cubic spline through points with a continuous second derivative, so that its normals and curvatures have no jumps.
 
-use crate::numerics::{IntoList, by_axis};
+use crate::numerics::{IntoList, Reals, by_axis, lowest, numbered};
 use nalgebra::{DMatrix, SVector};
 
 use crate::prelude::*;
@@ -73,7 +73,7 @@ impl Spline {
 
     /// The least distance between consecutive points, m; zero for fewer than two points.
     pub(super) fn least_distance(&self) -> f64 {
-        let least = self.at.windows(2).map(|ends| ends[1] - ends[0]).fold(f64::INFINITY, f64::min);
+        let least = self.at.windows(2).map(|ends| ends[1] - ends[0]).least();
         if self.points.len() < 2 { 0.0 } else { least }
     }
 
@@ -108,10 +108,8 @@ impl Spline {
         let pieces = (self.at.len() - 1) * 32;
         let t = |k: usize| self.end() * k as f64 / pieces as f64;
         let square_distance = |t: f64| (self.at(t)[0] - point).norm_squared();
-        let begin = (0..=pieces)
-            .map(t)
-            .min_by(|a, b| square_distance(*a).total_cmp(&square_distance(*b)))
-            .unwrap_or(0.0);
+        let samples = numbered(pieces + 1, &t);
+        let begin = lowest(&samples, &|t| square_distance(*t)).copied().unwrap_or(0.0);
         let mut best = begin;
         for _ in 0..30 {
             let [at, first, second] = self.at(best);

@@ -18,7 +18,7 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::lcp::{Settings, quadratic_program};
 use crate::numerics::tolerances::SOLVED_ROUNDING;
-use crate::numerics::{IntoList, mapped, vector_of};
+use crate::numerics::{IntoList, Reals, mapped, vector_of};
 use crate::prelude::*;
 
 /// The data of the quadratic program of one step. `factors` are the values of the sticking conditions under loads, scaled so that the least of them
@@ -72,8 +72,8 @@ impl StepProgram {
         // Among several steps with equal gain, this small multiple of the identity, added to the Hessian, makes the shortest step the best.
         let curvature = curvature + DMatrix::identity(n, n) * 1e-4;
         let Solved { d, events, bounds } = self.solved(radius, &curvature)?;
-        let least = self.after(&d).fold(f64::INFINITY, f64::min);
-        let now = self.factors.iter().copied().fold(f64::INFINITY, f64::min);
+        let least = self.after(&d).least();
+        let now = self.factors.iter().copied().least();
         // The sum of the weighted gradients of sticking conditions and constraints. For a variable at an end of `reach` it is the multiplier of this
         // end, for other variables a residual.
         let mut left = DVector::zeros(n);
@@ -88,9 +88,8 @@ impl StepProgram {
                 (ends[j][0], left[j]) = (-left[j], 0.0);
             }
         }
-        let complementarity =
-            events.iter().zip(&self.factors).map(|(y, factor)| y * (factor - now)).sum::<f64>()
-                + bounds.iter().zip(&self.bounds).map(|(y, (_, left))| y * left.max(0.0)).sum::<f64>();
+        let complementarity = events.iter().zip(&self.factors).map(|(y, factor)| y * (factor - now)).added()
+            + bounds.iter().zip(&self.bounds).map(|(y, (_, left))| y * left.max(0.0)).added();
         let residual = left.amax().max(complementarity);
         let gain = least - now - 0.5 * (&curvature * &d).dot(&d);
         Some(TrialStep { d, gain, events, bounds, ends, residual })
@@ -114,10 +113,7 @@ impl StepProgram {
             })
         };
         let ranges = mapped(&self.gradients, &ends);
-        let mut top = f64::INFINITY;
-        for (factor, [_, most]) in self.factors.iter().zip(&ranges) {
-            top = top.min(factor + most);
-        }
+        let top = self.factors.iter().zip(&ranges).map(|(factor, [_, most])| factor + most).least();
         if !top.is_finite() {
             return None;
         }

@@ -1,7 +1,7 @@
 //! Curves and surfaces that contacts may move along in the search for better finger placement. The goal of this search is a late first slip, or a
 //! large reserve of friction.
 
-use crate::numerics::{Each, IntoList};
+use crate::numerics::{Each, IntoList, Reals};
 use nalgebra::SVector;
 
 use super::spline::Spline;
@@ -224,7 +224,7 @@ impl Shape {
         let long = |length: f64| length > 0.0 && is_moderate(length);
         let (points, length): (Option<f64>, (&'static str, f64)) = match self {
             Shape::Segments(parts) => {
-                let least = parts.iter().map(|[a, b]| (b - a).norm()).fold(f64::INFINITY, f64::min);
+                let least = parts.iter().map(|[a, b]| (b - a).norm()).least();
                 let least = if parts.is_empty() { 0.0 } else { least };
                 (wrong(&parts.concat()), ("length of an edge of its surface", least))
             }
@@ -262,7 +262,7 @@ impl Shape {
                     let (side, other) = (b - a, c - a);
                     (other - side * (side.dot(&other) / side.norm_squared())).norm()
                 };
-                let least = parts.iter().map(height).fold(f64::INFINITY, f64::min);
+                let least = parts.iter().map(height).least();
                 let least = if parts.is_empty() { 0.0 } else { least };
                 (wrong(&parts.concat()), ("height of a triangle of its surface", least))
             }

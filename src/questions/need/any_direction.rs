@@ -14,7 +14,7 @@ use crate::error::Error;
 use crate::grasp::Wrench;
 use crate::hold::{PathFacts, Verdict};
 use crate::load_path::Ramp;
-use crate::numerics::{Each, IntoList, chosen, dot, mapped, numbered, sort_by_number};
+use crate::numerics::{Each, chosen, dot, mapped, numbered, picked, sort_by_number};
 use crate::prelude::*;
 use crate::squeeze::WeakestDirection;
 use crate::sweep::map_in_order;
@@ -262,10 +262,11 @@ impl Loading {
                 held = held.or_worse(weakest);
             }
         }
-        let is_edge = |[one, other]: &[usize; 2]| one < other && found[*one].jumps != found[*other].jumps;
-        let pairs =
-            neighbours.iter().enumerate().flat_map(|(one, near)| near.iter().map(move |other| [one, *other]));
-        let mut edges: Vec<[usize; 2]> = pairs.filter(is_edge).list();
+        let mut edges = Vec::new();
+        for (one, near) in neighbours.iter().enumerate() {
+            let is_beyond = |other: &usize| one < *other && found[one].jumps != found[*other].jumps;
+            edges.extend(picked(near, &|other| is_beyond(other).then_some([one, *other])));
+        }
         let least = |[one, other]: &[usize; 2]| found[*one].part.min(found[*other].part);
         sort_by_number(&mut edges, &least);
         for [one, other] in edges.into_iter().take(MOST_EDGES) {
@@ -321,10 +322,12 @@ impl Loading {
             if step < LAST_STEP || weakest.carried().is_none_or(|carried| carried > CLOSE) {
                 break;
             }
-            let beside = tangents(direction, space).into_iter().flat_map(|across| {
-                [1.0, -1.0].map(|sign| unit([0, 1, 2].map(|a| direction[a] + sign * step * across[a])))
-            });
-            let (beside, before, mut best): (Vec<_>, _, _) = (beside.collect(), weakest.clone(), None);
+            let mut beside = Vec::new();
+            for across in tangents(direction, space) {
+                let at = |step: f64| unit([0, 1, 2].each(|a| direction[a] + step * across[a]));
+                beside.extend([at(step), at(-step)]);
+            }
+            let (before, mut best) = (weakest.clone(), None);
             let trials = map_in_order(&beside, |d| self.one_direction(&along(*d), before.carried()));
             for (d, tried) in beside.into_iter().zip(trials) {
                 let (trial, _) = tried?;

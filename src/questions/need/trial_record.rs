@@ -23,7 +23,7 @@ use crate::contact::State;
 use crate::error::Error;
 use crate::grasp::Wrench;
 use crate::hold::{AtRest, VerdictScope};
-use crate::numerics::{Space, lowest, mapped, picked, sort_by_number};
+use crate::numerics::{IntoList, Space, lowest, mapped, picked, sort_by_number};
 use crate::object::uses_band;
 use crate::prelude::*;
 use crate::squeeze::Loads;
@@ -206,7 +206,7 @@ impl<'q> TrialRecord<'q> {
     pub(super) fn amounts(&self, demand: Demand) -> TriedAmounts {
         let mut amounts: Vec<f64> = mapped(&self.known(demand), &|(at, _)| *at);
         if matches!(self.need.loads, Loads::AnyForce { .. }) {
-            amounts.extend(self.quick.borrow().iter().map(|(at, _)| *at));
+            self.quick.borrow().iter().map(|(at, _)| *at).append_to(&mut amounts);
         }
         sort_by_number(&mut amounts, &|at| *at);
         let mut all = TriedAmounts { count: 0, from: f64::INFINITY, to: 0.0 };

@@ -13,7 +13,7 @@
 use super::block::{AnyGraspData, Block, Layout, TermSizes};
 use super::lanes::Packed;
 use super::triangle::{self, N, Triangle, others};
-use crate::numerics::Each;
+use crate::numerics::{Each, Reals};
 
 /// The method by which the contact forces of a grasp are found.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -84,7 +84,7 @@ pub(super) fn to_compliances<const C: usize>(grasp: &mut AnyGraspData<C>) {
 fn sizes<const C: usize>(grasp: &Block<'_, C, f64>) -> TermSizes<f64> {
     let mut triangle = Triangle::none();
     triangle.ready(grasp);
-    let length = triangle.edge.each(|edge| edge.iter().map(|x| x * x).sum::<f64>().sqrt());
+    let length = triangle.edge.each(|edge| edge.iter().map(|x| x * x).added().sqrt());
     let [c_n, c_t] = grasp.springs();
     // Let P be the starting contact forces, which balance the load without forces along the lines, scaled to magnitude one. The resulting contact
     // forces are `P - N A⁻¹ Nᵀ C P`. Here N maps forces along the lines to contact forces, C are the compliances, and `A = Nᵀ C N`. The magnitudes of
@@ -99,10 +99,10 @@ fn sizes<const C: usize>(grasp: &Block<'_, C, f64>) -> TermSizes<f64> {
             gives += length[i] * lambda[i].abs() * given;
         }
     }
-    let longest = length.into_iter().fold(0.0, f64::max);
+    let longest = length.into_iter().most();
     let height = triangle.one_over_square.sqrt();
     let moment = longest * height * gives;
-    let centre: f64 = triangle.centre.iter().map(|x| x.abs()).sum();
+    let centre: f64 = triangle.centre.iter().map(|x| x.abs()).added();
     // For `Edges` the bound on contact forces due to a unit moment, times the longest edge, may be at most 1000. For an equilateral triangle of equal
     // springs this product is seven. If the limit were larger, rounding would leave open when a friction margin that decreases slowly becomes zero.
     // If it were smaller, more grasps would use `Motions`, which takes twice the time.

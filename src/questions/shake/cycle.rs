@@ -9,7 +9,7 @@ use nalgebra::{DVector, SVector};
 use crate::grasp::{Engine, Site};
 use crate::load_path::{CycleRecord, CycleState, Cycles};
 use crate::numerics::tolerances::NEGLIGIBLE;
-use crate::numerics::{chosen, lowest, picked};
+use crate::numerics::{Reals, chosen, lowest, picked};
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 use crate::search::Settings;
@@ -142,7 +142,7 @@ fn scale_of(engine: &Engine, record: &CycleRecord, at: &CycleState) -> CycleUnit
         let size = force.norm();
         if size > 0.0 { site.springs.deflection(force).norm() / size } else { 0.0 }
     };
-    let softest = engine.sites().iter().zip(&at.forces).map(softness).fold(0.0, f64::max);
+    let softest = engine.sites().iter().zip(&at.forces).map(softness).most();
     let force = if record.largest > 0.0 { record.largest } else { 1.0 };
     CycleUnits { force, stretch: if softest > 0.0 { force * softest } else { engine.length() } }
 }

@@ -13,7 +13,7 @@ use crate::equilibrium::TooFar;
 use crate::error::Error;
 use crate::grasp::{BodyMotion, Engine, WholeContact, Wrench};
 use crate::load_path::{CycleState, Cycles, DriveChange, Leg, PathEnd, Ramp};
-use crate::numerics::{IntoList, any_index, mapped};
+use crate::numerics::{IntoList, Reals, any_index, mapped};
 use crate::prelude::*;
 use crate::search::Settings;
 
@@ -300,7 +300,7 @@ impl<'g> FollowedCycles<'g, '_> {
         if cycle.walks() {
             return Repeats::Walks { by: self.moves(&cycle.from, &cycle.to), slides, dissipated };
         }
-        let way = cycle.record.slid.iter().take(self.engine.len()).copied().fold(0.0, f64::max);
+        let way = cycle.record.slid.iter().take(self.engine.len()).copied().most();
         Repeats::Alternates { slides, way, dissipated, jumps }
     }
 

@@ -7,7 +7,7 @@
 //! with coefficients c_j for j from 0 to m - 1. If the differences die out, the cycle states converge to
 //! `(e_{n+m+1} - Σ c_j e_{n+j+1}) / (1 - Σ c_j)` (minimal polynomial extrapolation).
 
-use crate::numerics::{Singular, matrix_of, numbered};
+use crate::numerics::{IntoList, Singular, mapped, matrix_of, numbered};
 use nalgebra::{DMatrix, DVector};
 
 use super::cycle::CycleUnits;
@@ -74,7 +74,7 @@ impl<'p> Recurrence<'p> {
         // `changes` are differences of two cycle states. Each coefficient becomes the weight of the later of the two, so the first cycle state has
         // weight zero.
         let mut weights = vec![0.0];
-        weights.extend(self.coefficients.iter().map(|c| -c / rest));
+        self.coefficients.iter().map(|c| -c / rest).append_to(&mut weights);
         weights.push(1.0 / rest);
         Some(self.combination(&weights))
     }
@@ -142,14 +142,12 @@ impl CycleState {
     pub(super) fn numbers(&self, scale: &CycleUnits, aside: &dyn Fn(usize) -> bool) -> DVector<f64> {
         let mut numbers = Vec::new();
         for force in &self.forces {
-            numbers.extend(force.iter().map(|x| x / scale.force));
+            force.iter().map(|x| x / scale.force).append_to(&mut numbers);
         }
         for (i, gap) in self.gaps.iter().enumerate() {
             numbers.push(if aside(i) { 0.0 } else { gap / scale.stretch });
         }
-        for is_kinetic in &self.has_kinetic_friction {
-            numbers.push(f64::from(u8::from(*is_kinetic)));
-        }
+        numbers.extend(mapped(&self.has_kinetic_friction, &|is_kinetic| f64::from(u8::from(*is_kinetic))));
         DVector::from_vec(numbers)
     }
 

@@ -19,7 +19,7 @@ use crate::grasp::{Engine, Site, WholeContact, Wrench};
 use crate::lcp::{self, quadratic_program};
 use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
 use crate::numerics::{
-    IntoList, any_index, chosen, indexed, largest, mapped, matrix_of, moved, total, tried, vector_of,
+    IntoList, Reals, any_index, chosen, indexed, largest, mapped, matrix_of, moved, total, tried, vector_of,
 };
 use crate::prelude::*;
 use crate::search::Settings;
@@ -129,7 +129,7 @@ impl Engine {
         for (((i, axis), _), size) in slips.iter().zip(&sizes) {
             residual_slips[*i][*axis] = *size;
         }
-        let most = multipliers.iter().copied().fold(0.0, f64::max);
+        let most = multipliers.iter().copied().most();
         let (mut binding, most_force) = (Vec::new(), largest(&rest.of, &SVector::norm));
         for k in 0..=under.len() {
             let binds = |i: usize| {
@@ -188,7 +188,7 @@ impl Engine {
 /// The forces `forces`, with zero in place of each force that is only rounding. In some grasps, such as two opposite contacts, slips cause no contact
 /// forces. If rounding errors were kept, the linear program would scale them up until they balance loads.
 fn without_rounding(forces: &ContactForces) -> Vec<SVector<f64, 3>> {
-    let size = forces.sizes.iter().copied().fold(0.0, f64::max);
+    let size = forces.sizes.iter().copied().most();
     mapped(&forces.of, &|force| if force.norm() > SOLVED_ROUNDING * size { *force } else { SVector::zeros() })
 }
 
@@ -227,9 +227,9 @@ impl Program {
                     of.push((k, i));
                     b.push(row.dot(&rest[i]) / force);
                     a.push(if k == 0 { 0.0 } else { row.dot(&under[k - 1][i]) * unit / force });
-                    rows.extend(
-                        slips.iter().zip(&units).map(|(forces, unit)| row.dot(&forces[i]) * unit / force),
-                    );
+                    for (forces, unit) in slips.iter().zip(&units) {
+                        rows.push(row.dot(&forces[i]) * unit / force);
+                    }
                 }
             }
         }

@@ -12,7 +12,7 @@ use super::loads::check_point;
 use crate::equilibrium::{CountedMotion, MotionData, StickingResponse, push};
 use crate::error::Error;
 use crate::grasp::{Engine, Wrench};
-use crate::numerics::Singular;
+use crate::numerics::{Reals, Singular};
 use crate::object::ForcesAndTwist;
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
@@ -79,7 +79,7 @@ fn shortest_to_length(length: f64, a: &SVector<f64, 3>, b: &SMatrix<f64, 3, 3>) 
     let singular = Singular::new(&DMatrix::from_column_slice(3, 3, b.as_slice()));
     let values = &singular.values;
     let along = singular.along(&DVector::from_column_slice(a.as_slice()));
-    let beside = a.norm_squared() - along.iter().map(|c| c * c).sum::<f64>();
+    let beside = a.norm_squared() - along.iter().map(|c| c * c).added();
     // `part` is 1 - λ σ₁², from 1 for no force to 0 for λ = 1/σ₁².
     let divisor = |i: usize, part: f64| 1.0 - (1.0 - part) * (values[i] / values[0]).powi(2);
     let others = |part: f64| {

@@ -9,7 +9,7 @@ use super::loads::Loads;
 use crate::contact::{Edges, ZERO_SLACK, is_broken};
 use crate::equilibrium::{ContactForces, Influence, StickingResponse, push};
 use crate::grasp::{Motion, Wrench};
-use crate::numerics::{Each, Harmonic, IntoList, Vector, mapped, moved, summed, tried};
+use crate::numerics::{Each, Harmonic, IntoList, Vector, add_times, mapped, moved, summed, tried};
 use crate::prelude::*;
 
 /// The condition `row·F >= 0` that keeps a contact sticking. F is the contact's force, a sum of several forces; `row` has the coefficients of one
@@ -43,7 +43,7 @@ impl<'l> ForceParts<'l> {
         let vacuum = grasp.vacuum().map_or_else(Vector::zeros, |vacuum| vacuum.inside.clone());
         let squeeze = sticking.forces(&grasp.offset_changes(Some(&commands), None), &vacuum)?;
         let mut without = grasp.offsets();
-        without.iter_mut().zip(&commands).for_each(|(offset, command)| *offset -= command);
+        add_times(&mut without, &commands, -1.0);
         let at_rest = sticking.at_rest();
         let under = |load: &Wrench<3>| sticking.forces(&without, &(grasp.load_unchecked(load) - &vacuum));
         let mut influences = Vec::new();

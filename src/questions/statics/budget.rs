@@ -5,6 +5,7 @@ use nalgebra::SVector;
 
 use crate::error::{Error, MODERATE, is_moderate};
 use crate::grasp::Contact;
+use crate::numerics::Reals;
 
 /// Upper limits of the normal forces that contacts may exert, and thus of their friction forces.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -43,7 +44,7 @@ impl<const C: usize> WrenchScale<C> {
     pub(crate) fn of(contacts: &[Contact<C>]) -> Self {
         let points = || contacts.iter().map(Contact::point);
         let about = points().sum::<SVector<f64, C>>() / contacts.len() as f64;
-        let length = points().map(|point| (point - about).norm()).fold(0.0, f64::max);
+        let length = points().map(|point| (point - about).norm()).most();
         // Contacts at one point define no length; 1 m is as good as any other.
         Self { about: about.into(), length: if length > 0.0 { length } else { 1.0 } }
     }

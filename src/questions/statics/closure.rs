@@ -65,7 +65,7 @@ impl Engine {
                     .is_none_or(|(row, value)| value > NEGLIGIBLE * row.norm())
             })
         };
-        let closure = self.closure(&axes, &straight, &|v| round_generators(&problem, v).list(), &inside);
+        let closure = self.closure(&axes, &straight, &|v| round_generators(&problem, v), &inside);
         self.whatever_vacuums_hold(closure, "force_closure")
     }
 

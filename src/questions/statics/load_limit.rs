@@ -13,7 +13,7 @@ use super::wrench_set::WrenchSet;
 use crate::error::Error;
 use crate::grasp::{Engine, Twist, Wrench};
 use crate::numerics::tolerances::SOLVED_ROUNDING;
-use crate::numerics::{Each, RayExit, Size, Vector, Vertex, shoot, simplex};
+use crate::numerics::{Each, RayExit, Size, Vector, Vertex, add_times, shoot, simplex};
 use crate::prelude::*;
 use crate::search::Settings;
 
@@ -153,7 +153,7 @@ fn forces(set: &WrenchSet, simplex: &[Vertex], crossing: &RayExit) -> Vec<SVecto
     for (vertex, coefficient) in all {
         let forces = set.forces(&vertex.towards);
         sum.resize(forces.len(), SVector::zeros());
-        sum.iter_mut().zip(forces).for_each(|(sum, force)| *sum += force * coefficient);
+        add_times(&mut sum, &forces, coefficient);
     }
     sum
 }

@@ -75,8 +75,10 @@ impl WrenchSet {
             let (local, frame) = (problem.local(contact), &grasp.sites()[contact].frame);
             let arm = grasp.contacts()[contact].point() - about;
             let mut map = grasp.space().grasp_map(grasp.size(), &arm, frame);
-            for (k, a) in (axes..grasp.size().count()).flat_map(|k| (0..axes).map(move |a| (k, a))) {
-                map[(k, a)] /= scale.length;
+            for k in axes..grasp.size().count() {
+                for a in 0..axes {
+                    map[(k, a)] /= scale.length;
+                }
             }
             let unlimited = local.is_bonded() || local.may_pull() || local.never_slides();
             if unlimited {

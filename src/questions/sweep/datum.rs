@@ -5,7 +5,7 @@ use super::contact_errors::{ContactErrors, factor};
 use super::uncertainty::Uncertainty;
 use crate::error::Error;
 use crate::grasp::{ContactPoints, Engine};
-use crate::numerics::{Each, unit};
+use crate::numerics::{Each, Reals, unit};
 use crate::prelude::*;
 
 /// One uncertain datum of a grasp, with its error of one standard deviation σ.
@@ -40,7 +40,7 @@ pub(super) fn with_errors(of: &Engine, data: &[UncertainDatum], z: &[f64]) -> Re
                 UncertainDatum::OfPart(of, errors) if *of == part => errors[k] * z,
                 _ => 0.0,
             };
-            factor(data.iter().zip(z).map(of_part).sum())
+            factor(data.iter().zip(z).map(of_part).added())
         })
     })?
     .installed()

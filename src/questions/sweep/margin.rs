@@ -18,7 +18,7 @@ use nalgebra::{SMatrix, SVector};
 
 use crate::contact::involves_friction;
 use crate::numerics::tolerances::SUFFICIENT_DECREASE;
-use crate::numerics::{Each, by_axis, dot, normal_density, normal_tail};
+use crate::numerics::{Each, IntoList, by_axis, dot, normal_density, normal_tail};
 use crate::prelude::*;
 
 /// Errors of a datum at which exact forces are computed, as multiples of `sigmas`. The number `sigmas` is the required reliability: the number of
@@ -119,7 +119,10 @@ impl UncertainForce<'_> {
             margin.start_over(self.changes.len());
         }
         margin.parts.clear();
-        margin.parts.extend(self.changes.iter().map(|change| change.each_ref().each(|c| parts(facet, c))));
+        self.changes
+            .iter()
+            .map(|change| change.each_ref().each(|c| parts(facet, c)))
+            .append_to(&mut margin.parts);
         let known = parts(facet, &self.known(row));
         margin.curved = 1.0;
         // If the reliability exceeds the required reliability `sigmas` by five standard deviations, failures are so rare that they are negligible.

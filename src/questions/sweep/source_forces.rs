@@ -11,7 +11,7 @@ use super::margin::{Effect, LOOKED_AT, effect};
 use crate::equilibrium::{Cone, StickingResponse};
 use crate::error::Error;
 use crate::grasp::{Space, Wrench};
-use crate::numerics::{Each, IntoList, Size, Vector, largest, numbered};
+use crate::numerics::{Each, IntoList, Size, Vector, add_times, largest, numbered};
 use crate::object::ForcesAndTwist;
 use crate::prelude::*;
 
@@ -28,9 +28,9 @@ pub(super) struct SourceForces {
 impl SourceForces {
     /// Adds `times` times the forces, and their changes, of another source.
     pub(super) fn add(&mut self, times: f64, other: &Self) {
-        self.known.iter_mut().zip(&other.known).for_each(|(sum, more)| *sum += more * times);
+        add_times(&mut self.known, &other.known, times);
         for (sum, more) in self.off.iter_mut().flatten().zip(other.off.iter().flatten()) {
-            sum.iter_mut().zip(more).for_each(|(sum, more)| *sum += more * times);
+            add_times(sum, more, times);
         }
     }
 

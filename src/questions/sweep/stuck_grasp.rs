@@ -21,7 +21,7 @@ use super::union::Failures;
 use crate::contact::Edges;
 use crate::grasp::Wrench;
 use crate::numerics::tolerances::SOLVED_ROUNDING;
-use crate::numerics::{Each, IntoList, dot, largest, normal_tail};
+use crate::numerics::{Each, IntoList, add_times, dot, largest, normal_tail};
 use crate::prelude::*;
 
 /// Number of rounds in which two quantities that depend on each other are computed: the smallest errors with which a margin vanishes, and the
@@ -214,11 +214,11 @@ impl StuckGrasp {
         changes: &'m mut Vec<Effect>,
     ) -> UncertainForce<'m> {
         changes.clear();
-        changes.extend(self.base.off.iter().map(|of_datum| of_datum[i]));
+        self.base.off.iter().map(|of_datum| of_datum[i]).append_to(changes);
         let (mut force, mut of_load) = (self.base.known[i], self.by_base_load.known[i]);
         if let Some(AddedLoad { rate, factor, .. }) = more {
             for (change, of_datum) in changes.iter_mut().zip(&rate.off) {
-                change.iter_mut().zip(&of_datum[i]).for_each(|(change, rate)| *change += rate * factor);
+                add_times(change, &of_datum[i], factor);
             }
             force += rate.known[i] * factor;
             of_load += rate.known[i] * factor;

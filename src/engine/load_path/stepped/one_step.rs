@@ -9,7 +9,7 @@ use crate::load_path::program_run::ProgramRun;
 use crate::load_path::tolerances::SHORTEST_STEP;
 use crate::load_path::trajectory::Trajectory;
 use crate::numerics::tolerances::SOLVED_ROUNDING;
-use crate::numerics::{Vector, cleared_for, largest};
+use crate::numerics::{Reals, Vector, cleared_for, largest};
 use crate::object::{Problem, newton};
 use crate::prelude::*;
 
@@ -33,7 +33,7 @@ impl SteppedState {
     /// The difference of two path points, N: the largest difference of a contact force between them.
     pub(super) fn distance_to(&self, other: &Self) -> f64 {
         let pairs = self.forces.iter().zip(&other.forces);
-        pairs.map(|(a, b)| (a - b).norm_squared()).fold(0.0, f64::max).sqrt()
+        pairs.map(|(a, b)| (a - b).norm_squared()).most().sqrt()
     }
 }
 
@@ -125,7 +125,7 @@ fn equilibrium_after(
     // all contacts, of the displacement times the stiffness of the stiffest spring. `newton` multiplies `rounded` by [`SOLVED_ROUNDING`], 1e-12, so
     // the factor here is 1e-3.
     let rounded =
-        1e-3 * springs.map(|(site, offset)| site.springs.stiffest() * site.span(offset, &near)).sum::<f64>();
+        1e-3 * springs.map(|(site, offset)| site.springs.stiffest() * site.span(offset, &near)).added();
     let answer = |i: usize, stretch: &SVector<f64, 3>, _: &ContactResponse| {
         problem.local(i).answer_after(&before[i], stretch)
     };

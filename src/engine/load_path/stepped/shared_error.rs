@@ -27,13 +27,13 @@ use nalgebra::SVector;
 
 use super::one_step::{StepProblem, SteppedState};
 use crate::contact::{Mode, Slide, tangential, tangential_norm};
-use crate::numerics::{Each, Vector};
+use crate::numerics::{Each, Reals, Vector};
 
 impl StepProblem<'_> {
     /// Estimate of the largest error of a contact force, N, at the end of a step in two halves. It covers the errors that the same step made at once
     /// has, too. `at` are the path points (forces, twist, slips and contact states) at the beginning, middle and end of the step.
     pub(super) fn shared_error(&self, at: [&SteppedState; 3]) -> f64 {
-        (0..self.problem.len()).map(|i| self.shared_error_of(i, at)).fold(0.0, f64::max)
+        (0..self.problem.len()).map(|i| self.shared_error_of(i, at)).most()
     }
 
     fn shared_error_of(&self, i: usize, at: [&SteppedState; 3]) -> f64 {

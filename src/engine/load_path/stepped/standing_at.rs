@@ -8,7 +8,7 @@ use crate::contact::{Line, Mode, Slide, ZERO_SLACK};
 use crate::equilibrium::Equilibrium;
 use crate::load_path::follower::StateAtEdge;
 use crate::load_path::program_run::ProgramRun;
-use crate::numerics::{mapped, numbered};
+use crate::numerics::{Reals, mapped, numbered};
 use crate::search::SearchSolution;
 
 impl SteppedState {
@@ -17,7 +17,7 @@ impl SteppedState {
         let problem = run.segment(self.slips.clone()).problem_at(self.fraction);
         let spans =
             problem.sites.iter().zip(&problem.offsets).map(|(site, offset)| site.span(offset, &self.twist));
-        let sizes = [self.largest_force().max(problem.wrench.norm()), spans.fold(0.0, f64::max)];
+        let sizes = [self.largest_force().max(problem.wrench.norm()), spans.most()];
         // The slip so far is already subtracted from the offsets (command minus clearance) of the contact springs. A sliding contact therefore keeps
         // its direction of sliding, but its further slip is zero. So `lambda`, the ratio of this slip to the friction force, is set to zero.
         let standing = |state: &Mode<Slide>| match state {

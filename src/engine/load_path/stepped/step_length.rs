@@ -12,7 +12,7 @@ use crate::load_path::event::PathEnd;
 use crate::load_path::follower::Advance;
 use crate::load_path::program_run::ProgramRun;
 use crate::load_path::tolerances::SHORTEST_STEP;
-use crate::numerics::{Vector, counted, largest};
+use crate::numerics::{Reals, Vector, counted, largest};
 #[cfg(not(feature = "std"))]
 use crate::prelude::*;
 use crate::search::Doubt;
@@ -99,7 +99,7 @@ impl<'g> SteppedFollower<'g> {
             let allowed = even.max(0.05 * (budget - accumulated)).max(rounding);
             (to.forces[i] - at_once.forces[i]).norm() / largest / allowed
         };
-        let used = (0..to.forces.len()).map(part).fold(0.0, f64::max);
+        let used = (0..to.forces.len()).map(part).most();
         // The error that both forms of the step have in common may be a tenth of the allowed error. This is far more than the share of one step. It
         // is allowed because a contact makes such an error only a few times on a leg: when it starts or stops sliding, opens or closes.
         used.max(twice.shared_error / (0.1 * self.error).max(rounding))

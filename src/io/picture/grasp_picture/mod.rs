@@ -7,7 +7,7 @@ use nalgebra::{Matrix3, Vector2, Vector3};
 use crate::ask::Grasp;
 use crate::equilibrium::Equilibrium;
 use crate::grasp::ContactPoints;
-use crate::numerics::{Each, IntoList, mapped, tried};
+use crate::numerics::{Each, IntoList, Reals, mapped, tried};
 use crate::picture::actuators::Actuators;
 use crate::picture::axes::{EqualScales, bounds};
 use crate::picture::contact_look::{cone_ratio, cone_size, ink, word};
@@ -67,7 +67,7 @@ pub(super) fn stills_of_a_page(of: &[PlanarPicture]) -> Result<Vec<String>, Pict
     of.iter().try_for_each(PlanarPicture::check)?;
     let mut pictures: Vec<_> = mapped(of, &Picture::new);
     let scales = pictures.iter().map(|picture| picture.scale).filter(|scale| *scale > 0.0);
-    let scale = scales.fold(f64::INFINITY, f64::min);
+    let scale = scales.least();
     for picture in &mut pictures {
         picture.scale = picture.scale.min(scale);
     }

@@ -79,9 +79,7 @@ impl<'p> Drawing<'p> {
         }
         let mut points: Vec<Vector3<f64>> = mapped(page.grasp.contacts(), &Contact::point);
         for corners in page.outlines.iter().map(|line| &line.corners).chain(&page.fixtures) {
-            for corner in corners {
-                points.push((*corner).into());
-            }
+            points.extend(mapped(corners, &|corner| Vector3::from(*corner)));
         }
         let (mut low, mut high) = (Vector3::repeat(f64::INFINITY), Vector3::repeat(f64::NEG_INFINITY));
         for point in points {

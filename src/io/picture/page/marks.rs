@@ -67,7 +67,7 @@ pub(super) fn marks_of_the_answer(drawing: &Drawing, frame: Option<&Frame>) -> V
             let axes = [0, 1, 2].each(|axis| frames[first].column(axis).into_owned());
             let cone_ratio = frame.cone_ratio(first, cone_ratio(&contacts[first]));
             let of_tip = marks_of_a_fingertip(drawing, cone_ratio, axes, &tip.resultant(contacts, state));
-            marks.extend(of_tip.into_iter().chain(dots(contacts, state, tip)).map(|mark| mark.of(k)));
+            of_tip.into_iter().chain(dots(contacts, state, tip)).map(|mark| mark.of(k)).append_to(&mut marks);
         } else {
             let at = tip.middle(contacts);
             let dot = MarkShape::Dot { at, radius: SPATIAL.contact, ink: GREY, open: true };

@@ -8,7 +8,7 @@ use super::frame::Frame;
 use crate::ask::Grasp;
 use crate::equilibrium::{ContactAnswer, Equilibrium, WholeAnswer};
 use crate::grasp::{Contact, ContactPoints, Hold};
-use crate::numerics::{Space, largest, mapped};
+use crate::numerics::{Space, chosen, largest, mapped};
 use crate::picture::actuators::Actuators;
 use crate::picture::contact_look::word;
 use crate::picture::error::PictureError;
@@ -119,7 +119,7 @@ fn write_rows(
     page.push_str("<div class=\"scrolls\">\n<table>\n<thead><tr>");
     let has_pads = grasp.engine.wholes().iter().any(ContactPoints::is_soft);
     let shown = |column: &usize| has_pads || *column != 2 + MOMENT;
-    for column in (0..TABLE_COLUMNS.len()).filter(shown) {
+    for column in chosen(TABLE_COLUMNS.len(), &shown) {
         let (heading, meaning) = TABLE_COLUMNS[column];
         let _ = write!(page, "<th title=\"{}\">{}</th>", escaped(meaning), escaped(heading));
     }

@@ -10,7 +10,7 @@ use super::finger::{ContactMover, Finger};
 use crate::error::{Error, MODERATE, is_moderate};
 use crate::grasp::contact::Contact;
 use crate::grasp::of_axes;
-use crate::numerics::{IntoList, numbered, vector_of};
+use crate::numerics::{IntoList, Reals, numbered, vector_of};
 use crate::prelude::*;
 
 impl Assembly {
@@ -75,7 +75,7 @@ impl Assembly {
         let joints = &finger.joints[..link];
         let corners: Vec<_> =
             joints.iter().filter_map(|joint| joint.motion.centre()).chain([contact.point]).list();
-        self.bones.extend(corners.windows(2).map(|pair| [pair[0], pair[1]]));
+        corners.windows(2).map(|pair| [pair[0], pair[1]]).append_to(&mut self.bones);
         let mut columns = Columns::new();
         for (j, joint) in joints.iter().enumerate() {
             let label = || self.label(first + j);
@@ -98,7 +98,7 @@ impl Assembly {
         let (axes, first) = (self.space.axes(), self.contacts.len() - finger.contacts.len());
         for column in own {
             let presses = self.presses[first..].iter().enumerate();
-            let pushed: f64 = presses.map(|(i, (force, _))| column[axes * i] * force).sum();
+            let pushed: f64 = presses.map(|(i, (force, _))| column[axes * i] * force).added();
             for (i, contact) in self.contacts[first..].iter_mut().enumerate() {
                 let along = of_axes(axes, |a| column[axes * i + a] * pushed);
                 if pushed != 0.0 {
