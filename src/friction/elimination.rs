@@ -6,6 +6,7 @@
 
 use super::blocks::{Blocks, ContactBlock};
 use super::problem::part;
+use crate::numerics::keep;
 use crate::prelude::*;
 use alloc::collections::BinaryHeap;
 use core::cmp::Reverse;
@@ -46,7 +47,7 @@ fn by_degree(mut near: Vec<Vec<usize>>) -> Vec<usize> {
             near[*j].extend_from_slice(&around);
             near[*j].sort_unstable();
             near[*j].dedup();
-            near[*j].retain(|k| *k != i && k != j);
+            keep(&mut near[*j], &|k| *k != i && k != j);
             waiting.push(Reverse((near[*j].len(), *j)));
         }
     }

@@ -5,7 +5,7 @@
 
 use super::add_times::{add_times, scale};
 use super::tolerances::BAND_PIVOT;
-use crate::numerics::{dot, mapped};
+use crate::numerics::{amax, dot, mapped};
 use crate::prelude::*;
 
 /// A square matrix whose nonzero entries are at most `half_bandwidth` positions from the diagonal.
@@ -44,7 +44,7 @@ impl Band {
     }
 
     pub(crate) fn amax(&self) -> f64 {
-        self.entries.iter().fold(0.0, |most, x| most.max(x.abs()))
+        amax(&self.entries)
     }
 
     /// Subtracts the product of the matrix and x from a vector.
@@ -63,7 +63,7 @@ impl Band {
         let Self { half_bandwidth, count, .. } = self;
         let height = 3 * half_bandwidth + 1;
         let entries = &mut self.entries[..];
-        let least = BAND_PIVOT * entries.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+        let least = BAND_PIVOT * amax(entries);
         let (mut pivots, mut without_pivot) = (Vec::with_capacity(count), Vec::new());
         // The rightmost column that any row reaches after the row exchanges up to now.
         let mut last = 0;

@@ -41,6 +41,15 @@ pub(crate) fn largest<T>(list: &[T], f: &dyn Fn(&T) -> f64) -> f64 {
     largest
 }
 
+/// The largest magnitude of a list of numbers; 0 for an empty list.
+pub(crate) fn amax(list: &[f64]) -> f64 {
+    let mut largest = 0.0_f64;
+    for x in list {
+        largest = largest.max(x.abs());
+    }
+    largest
+}
+
 /// The sum of `f` over all elements, added in order.
 pub(crate) fn summed<'a, T>(list: &'a [T], f: &dyn Fn(&'a T) -> f64) -> f64 {
     // -0.0 is the neutral element of addition; starting from 0.0 would change the sign of a sum of negative zeros.
@@ -91,6 +100,11 @@ pub(crate) fn picked<'a, T, U>(list: &'a [T], f: &dyn Fn(&'a T) -> Option<U>) ->
         }
     }
     all
+}
+
+/// Removes all elements of a list for which `is_kept` is false; the others stay in order.
+pub(crate) fn keep<T>(list: &mut Vec<T>, is_kept: &dyn Fn(&T) -> bool) {
+    list.retain(|element| is_kept(element));
 }
 
 /// The numbers from 0 to `count` − 1 for which `keeps` is true, in order.

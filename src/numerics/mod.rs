@@ -114,8 +114,8 @@ pub(crate) use largest_ball::largest_ball;
 pub(crate) use least_distance::least_distance;
 pub(crate) use linearly_implicit::implicit_step;
 pub(crate) use mapped::{
-    any_index, chosen, counted, dot, every_index, highest, indexed, largest, least, lowest, mapped,
-    matrix_of, moved, numbered, paired, picked, summed, total, tried, vector_of,
+    amax, any_index, chosen, counted, dot, every_index, highest, indexed, keep, largest, least, lowest,
+    mapped, matrix_of, moved, numbered, paired, picked, summed, total, tried, vector_of,
 };
 pub(crate) use memory::Memory;
 pub(crate) use narrow_order::{narrow_order, widest};

@@ -9,7 +9,7 @@ use nalgebra::SVector;
 use super::tolerances::ALIKE_IN_WORDS;
 use super::unit::Unit;
 use crate::numerics::tolerances::NEGLIGIBLE;
-use crate::numerics::{Space, dot, mapped};
+use crate::numerics::{Space, amax, dot, mapped};
 use crate::prelude::*;
 
 /// Default number of significant digits.
@@ -155,7 +155,7 @@ impl Words {
     /// Numbers as text, in parentheses. Components that are so small compared with the largest that they may be rounding are written as zero.
     #[must_use]
     pub fn numbers(self, components: &[f64]) -> String {
-        let largest = components.iter().fold(0.0, |largest: f64, x| largest.max(x.abs()));
+        let largest = amax(components);
         let clean = |x: &f64| self.number(self.beside(*x, largest));
         format!("({})", mapped(components, &clean).join(", "))
     }

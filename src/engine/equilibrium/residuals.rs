@@ -2,6 +2,7 @@
 //! bonded contact neither opens nor slips. A load path is a sequence of equilibria; an event is a change of contact states at one point of it.
 
 #[cfg(feature = "serde")]
+use crate::numerics;
 use crate::serial::AsComputed;
 
 /// Relative residuals of an equilibrium; all are zero in exact arithmetic, and usually about 1e-16. No answer with a residual above 1e-10 (1e-12 on
@@ -54,8 +55,7 @@ impl Residuals {
     /// The largest residual; infinite if a residual is not a number.
     #[must_use]
     pub fn worst(&self) -> f64 {
-        [self.equilibrium, self.springs, self.cone, self.gap, self.complementarity]
-            .into_iter()
-            .fold(0.0, |worst, r| if r.is_nan() { f64::INFINITY } else { r.max(worst) })
+        let all = [self.equilibrium, self.springs, self.cone, self.gap, self.complementarity];
+        numerics::largest(&all, &|r| if r.is_nan() { f64::INFINITY } else { *r })
     }
 }

@@ -4,6 +4,7 @@
 //! a ramp, of the fraction of the leg on a load path.
 
 use crate::contact::Exit;
+use crate::numerics::keep;
 use crate::prelude::*;
 
 /// Contacts whose present state ends, by index. Each has its exits: a facet of its cone that the force reaches, the apex, or a closing gap.
@@ -32,7 +33,7 @@ pub(super) fn first_reached(mut ways: ExitsReached) -> Option<(f64, ExitsReached
         }
     }
     ways.retain_mut(|(_, exits)| {
-        exits.retain(|exit| exit.step - first.step <= exit.uncertainty + first.uncertainty);
+        keep(exits, &|exit| exit.step - first.step <= exit.uncertainty + first.uncertainty);
         !exits.is_empty()
     });
     Some((first.step, ways))

@@ -15,7 +15,7 @@ use crate::contact::WEIGHTLESS;
 use crate::equilibrium::{AnswerFor, CountedMotion, MotionData, TooFar, farthest};
 use crate::grasp::{Engine, Hold};
 use crate::numerics::tolerances::ROUNDED_SUM;
-use crate::numerics::{FirstZero, Harmonic, Trigonometric, regula_falsi};
+use crate::numerics::{FirstZero, Harmonic, Trigonometric, largest, numbered, regula_falsi};
 use crate::search::SmallMotions;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
@@ -169,10 +169,9 @@ impl<'g> StoredPiece<'g> {
     /// force is taken as sticking. Links between bodies are left out.
     fn everything_slides(&self, grasp: &Engine) -> bool {
         let force = |i: usize| self.here.lines[i].force.norm().max(self.there.forces[i].norm());
-        let contacts = 0..grasp.len();
-        let largest = contacts.clone().map(force).fold(0.0, f64::max);
+        let largest = largest(&numbered(grasp.len(), &force), &|force| *force);
         let mut any = false;
-        for i in contacts {
+        for i in 0..grasp.len() {
             let (contact, site) = (&grasp.contacts()[i], &grasp.sites()[i]);
             let is_bonded = site.hold == Hold::Bonded;
             let has_friction = contact.link.is_none() && (is_bonded || !site.friction.is_frictionless());

@@ -3,7 +3,7 @@
 //! a turn the angle of the load takes the place of the load factor. A drive, the spring of a joint or tendon of a hand with its force limit, is
 //! treated like a contact. In names of this file, `edge` is the boundary of a friction cone.
 
-use crate::numerics::{IntoList, mapped};
+use crate::numerics::{IntoList, keep, mapped};
 use nalgebra::SVector;
 
 use super::first_exits::ExitsReached;
@@ -94,7 +94,7 @@ impl StickingPath<'_> {
         let mut at_edge = Vec::new();
         for (i, state) in states.iter().enumerate() {
             let mut exits = self.segment.ways_out(i, state, point);
-            exits.retain(|exit| exit.step <= exit.uncertainty);
+            keep(&mut exits, &|exit| exit.step <= exit.uncertainty);
             let line = &point.lines[i];
             let weightless = state.is_sticking()
                 && self.segment.problem.local(i).has_edges()

@@ -14,7 +14,8 @@ use super::banded_tangent::{BandedTangent, SpringRows};
 use super::tolerances::NO_WORK;
 use crate::numerics::tolerances::LINEARLY_DEPENDENT;
 use crate::numerics::{
-    BandFactors, IntoList, Singular, Size, Vector, add_times, dot, matrix_of, orthonormalise_against, scale,
+    BandFactors, IntoList, Singular, Size, Vector, add_times, amax, dot, matrix_of, orthonormalise_against,
+    scale,
 };
 use crate::prelude::*;
 
@@ -159,7 +160,7 @@ fn sorted_null_vectors(
         }
         let mut left = vec![0.0; band.numbers.len()];
         springs.add(other, &stretches, &mut left);
-        let left = left.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
+        let left = amax(&left);
         // The tangent stiffness T is singular along a motion if the spring forces that the motion causes are in balance. Because of rounding their
         // resultant is then not zero, but at most the fraction `LINEARLY_DEPENDENT` of the norm of the stretches. The comparison is false for NaN.
         let singular = left <= LINEARLY_DEPENDENT * length;

@@ -1,7 +1,7 @@
 //! Rounding scales of forces, N, and of displacements, m. The rounding scale of a value is the number to which its rounding error is proportional. As
 //! a rule it is the largest of the terms from which the value is computed. Code names call it `size` or, for the terms of a stretch, `span`.
 
-use crate::numerics::{IntoList, Reals, Vector};
+use crate::numerics::{self, IntoList, Reals, Vector};
 use nalgebra::SVector;
 
 use super::newton::Imbalance;
@@ -72,7 +72,7 @@ impl Problem<'_> {
     /// of about ε times `largest`, with the machine precision ε. Even in the stiffest spring such an error causes a displacement of ε times this
     /// stretch.
     pub(crate) fn least_stretch(&self, largest: f64) -> f64 {
-        largest / self.sites.iter().fold(0.0, |most: f64, site| most.max(site.springs.stiffest()))
+        largest / numerics::largest(self.sites, &|site| site.springs.stiffest())
     }
 
     /// The rounding scale of the stretch `a_i - G_iᵀq` of a contact, m: an upper bound of both terms. a_i is its offset (command minus clearance and

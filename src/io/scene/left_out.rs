@@ -16,7 +16,7 @@ use crate::grasp::Link;
 use crate::load_path::Ramp;
 use crate::need::Amount;
 use crate::numerics::tolerances::SOLVED_ROUNDING;
-use crate::numerics::{IntoList, mapped};
+use crate::numerics::{IntoList, largest, mapped};
 
 /// Stiffness in all directions, N/m, of a contact for which the scene gives none. If an answer depends on this value, a warning says so, see
 /// [`Setup::stiffness_left_out`].
@@ -211,8 +211,7 @@ fn part(number: usize) -> f64 {
 }
 
 fn same(one: &[f64], other: &[f64], within: f64) -> bool {
-    let finite = one.iter().filter(|x| x.is_finite());
-    let rounding = SOLVED_ROUNDING * finite.fold(0.0, |largest: f64, x| largest.max(x.abs()));
+    let rounding = SOLVED_ROUNDING * largest(one, &|x| if x.is_finite() { x.abs() } else { 0.0 });
     let close = |(a, b): (&f64, &f64)| a == b || (a - b).abs() <= rounding.max(within * a.abs().max(b.abs()));
     one.len() == other.len() && one.iter().zip(other).all(close)
 }

@@ -8,7 +8,7 @@
 //! The round cone `|F_t| <= μ F_n` counts as having one facet where the force lies: its tangent plane along the friction force. In code names an edge
 //! is the boundary of a cone, round or polygonal; [`Law::Edge`] contains the facets that limit the rates.
 
-use crate::numerics::IntoList;
+use crate::numerics::{IntoList, keep};
 use nalgebra::SVector;
 
 use super::exits::{Exit, GapLine, Line};
@@ -140,13 +140,13 @@ impl LocalLaw<'_> {
                 let edge = cone.has_edges() && along.norm() > 0.0;
                 active.facets = if edge { vec![along.normalize()] } else { Vec::new() };
             }
-            active.facets.retain(|p| falls_short(cone.facet_margin(&line.rate, p), cone.round_weight()));
+            keep(&mut active.facets, &|p| falls_short(cone.facet_margin(&line.rate, p), cone.round_weight()));
         } else {
             if active.apex {
                 active.apex = stays_at_the_apex();
                 active.facets = self.facets().to_vec();
             }
-            active.facets.retain(|h| {
+            keep(&mut active.facets, &|h| {
                 self.slides_on(state, h)
                     || falls_short(cone.facet_margin(&line.rate, h), cone.facet_weight(h))
             });
@@ -159,7 +159,7 @@ impl LocalLaw<'_> {
         let reached = self.active_set(line);
         active.apex &= reached.apex;
         if !self.on_round_cone {
-            active.facets.retain(|h| self.slides_on(state, h) || reached.facets.contains(h));
+            keep(&mut active.facets, &|h| self.slides_on(state, h) || reached.facets.contains(h));
         } else if state.is_sticking() && !active.facets.is_empty() {
             active.facets = reached.facets;
         }

@@ -5,7 +5,7 @@
 //! zero force. The margin of a force is `μ F_n - h·F_t` at a facet, and `μ F_n - |F_t|` on the round cone: zero on the boundary, positive inside. In
 //! code names an edge is the boundary. A rounding scale is the magnitude of the terms of a sum, to which its rounding error is proportional.
 
-use crate::numerics::{Each, IntoList};
+use crate::numerics::{Each, IntoList, keep};
 use nalgebra::SVector;
 
 use super::law::LocalLaw;
@@ -79,7 +79,7 @@ impl LocalLaw<'_> {
                 let facets = self.facets();
                 let own = state.own_facets(facets.len());
                 let mut exits = self.exits(line);
-                exits.retain(|exit| own.iter().all(|own| own.is_none_or(|j| exit.facet != facets[j])));
+                keep(&mut exits, &|exit| own.iter().all(|own| own.is_none_or(|j| exit.facet != facets[j])));
                 exits
             }
         }

@@ -7,7 +7,7 @@ use super::site::Site;
 use super::whole_contact::WholeContact;
 use super::wrench::Wrench;
 use crate::error::ContactLabel;
-use crate::numerics::{Space, Vector};
+use crate::numerics::{Space, Vector, keep};
 use crate::prelude::*;
 use crate::words::listed;
 
@@ -64,7 +64,7 @@ impl Engine {
         }
         let of_a_cup = |i: usize| self.contacts()[i].suction > 0.0;
         let mut cups = self.wholes().with(&|i| of_a_cup(i) && is_open(i));
-        cups.retain(WholeContact::is_whole);
+        keep(&mut cups, &WholeContact::is_whole);
         cups
     }
 

@@ -5,7 +5,7 @@ use nalgebra::SVector;
 
 use crate::grasp::{BodyMotion, Contact, Engine, Hold, Motion, Twist, WholeContact};
 use crate::numerics::tolerances::SOLVED_ROUNDING;
-use crate::numerics::{IntoList, chosen, largest, mapped, summed};
+use crate::numerics::{IntoList, chosen, keep, largest, mapped, summed};
 use crate::prelude::*;
 #[cfg(feature = "serde")]
 use crate::serial::AsComputed;
@@ -208,7 +208,7 @@ fn seen_from(
         return way;
     }
     let mut about = parts.with(&touches);
-    about.retain(stays);
+    keep(&mut about, &stays);
     if about.is_empty() {
         // An object that tips on a soft fingertip turns about some points of that fingertip, while all other points open.
         let about = parts.with(&|i| touches(i) && point_stays(i));
@@ -221,7 +221,7 @@ fn seen_from(
     }
     // Contacts that do not touch but move away from their finger are listed as opening, too.
     let mut opening = parts.with(&|i| sign(i) != 0.0);
-    opening.retain(opens);
+    keep(&mut opening, &opens);
     let opens = opening;
     // The object tips over only if a contact opens that is no link. A door whose cable goes slack turns about its hinge instead.
     let tips = opens.iter().any(|part| part.link.is_none());

@@ -20,7 +20,7 @@ use crate::contact::ActiveSet;
 use crate::equilibrium::ContactState;
 use crate::error::Error;
 use crate::numerics::tolerances::{NEGLIGIBLE, SOLVED_ROUNDING};
-use crate::numerics::{Reals, all_some, least, mapped, numbered};
+use crate::numerics::{Reals, all_some, keep, least, mapped, numbered};
 use crate::prelude::*;
 
 /// A [`DesignPoint`] with which all contacts stick under the base load and the commands, except idle ones, which touch without force. Its contact
@@ -196,7 +196,7 @@ impl AscentProblem<'_> {
             if open == design_point.idle {
                 continue;
             }
-            sticking.judged.retain(|judged| *judged != load);
+            keep(&mut sticking.judged, &|judged| *judged != load);
             if let Some(known) = further.iter_mut().find(|known| known.open == open) {
                 known.judged.push(load);
                 continue;

@@ -18,7 +18,7 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::lcp::{Settings, quadratic_program};
 use crate::numerics::tolerances::SOLVED_ROUNDING;
-use crate::numerics::{IntoList, Reals, mapped, vector_of};
+use crate::numerics::{Reals, chosen, mapped, vector_of};
 use crate::prelude::*;
 
 /// The data of the quadratic program of one step. `factors` are the values of the sticking conditions under loads, scaled so that the least of them
@@ -119,8 +119,7 @@ impl StepProgram {
         }
         // The least value of a sticking condition is at most `top` everywhere in the box. A sticking condition whose value stays above `top` in the
         // whole box is therefore never the least, and the program omits it.
-        let mut near: Vec<usize> = (0..ranges.len()).list();
-        near.retain(|k| self.factors[*k] + ranges[*k][0] < top);
+        let mut near = chosen(ranges.len(), &|k| self.factors[*k] + ranges[*k][0] < top);
         if near.is_empty() {
             near.push(0);
         }

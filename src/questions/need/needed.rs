@@ -21,7 +21,7 @@ use super::trial_record::{SearchExtent, TrialRecord};
 use crate::ask::Grasp;
 use crate::error::Error;
 use crate::grasp::{Wrench, inside};
-use crate::numerics::{Space, chosen, largest};
+use crate::numerics::{Space, chosen, largest, least};
 use crate::prelude::*;
 use crate::squeeze::Loads;
 
@@ -227,11 +227,10 @@ fn amount(tried: &TrialRecord<'_>, demand: Demand, look: SearchExtent) -> Result
 /// amounts within `limits` are excluded.
 pub(super) fn nothing_suffices(vain: Vec<(f64, Trial)>, limits: [f64; 2], proof: Option<&Range>) -> Amount {
     let (is_proved, at_rest) = (proof.is_some(), proof.is_some_and(|range| range.is_empty_at_rest));
-    let amounts = || vain.iter().map(|(amount, _)| *amount);
     let [from, to] = if is_proved {
         limits
     } else {
-        [amounts().fold(f64::INFINITY, f64::min), amounts().fold(0.0, f64::max)]
+        [least(&vain, &|(amount, _)| *amount), largest(&vain, &|(amount, _)| *amount)]
     };
     let tried = vain.len();
     let mut none = Amount::None { from, to, best: to, tried, is_proved, at_rest, otherwise: String::new() };

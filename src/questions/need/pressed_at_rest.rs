@@ -9,8 +9,8 @@ use crate::ask::Grasp;
 use crate::equilibrium::DriveState;
 use crate::error::Error;
 use crate::grasp::{ContactPoints, Wrench};
-use crate::numerics::mapped;
 use crate::numerics::tolerances::NEGLIGIBLE;
+use crate::numerics::{largest, mapped};
 use crate::prelude::*;
 
 /// Two lists for a grasp whose squeeze (or overlaps) are multiplied by `squeeze`. The first has the normal force of each contact, N; the second has
@@ -33,7 +33,7 @@ pub(super) fn presses(
             let points = contact.range.clone();
             let force = points.clone().fold(0.0, |sum, point| sum + force(point));
             let set = &squeezed.contacts()[points.clone()];
-            let overlap = set.iter().map(|point| -point.clearance).fold(0.0, f64::max);
+            let overlap = largest(set, &|point| -point.clearance);
             ContactPress {
                 part: contact.with(points.len()),
                 force: if force.abs() <= nothing { 0.0 } else { force },

@@ -23,7 +23,7 @@ use crate::contact::State;
 use crate::error::Error;
 use crate::grasp::Wrench;
 use crate::hold::{AtRest, VerdictScope};
-use crate::numerics::{IntoList, Space, lowest, mapped, picked, sort_by_number};
+use crate::numerics::{IntoList, Space, keep, lowest, mapped, picked, sort_by_number};
 use crate::object::uses_band;
 use crate::prelude::*;
 use crate::squeeze::Loads;
@@ -179,11 +179,11 @@ impl<'q> TrialRecord<'q> {
     pub(super) fn rest_ends(&self, sufficient: f64, insufficient: f64) -> Option<f64> {
         let lists = [self.known.borrow(), self.quick.borrow()];
         let mut behind = rests(&lists);
-        behind.retain(|(at, _)| (at - sufficient) * (sufficient - insufficient) >= 0.0);
+        keep(&mut behind, &|(at, _)| (at - sufficient) * (sufficient - insufficient) >= 0.0);
         sort_by_number(&mut behind, &|(at, _)| (at - sufficient).abs());
         let (_, here) = *behind.first().filter(|(at, _)| *at == sufficient)?;
         behind.dedup_by_key(|(at, _)| *at);
-        behind.retain(|(_, there)| same_kinds(here, there));
+        keep(&mut behind, &|(_, there)| same_kinds(here, there));
         let mut nearest: Option<f64> = None;
         for (i, k) in (0..here.contacts.len()).flat_map(|i| [(i, 0), (i, 1)]) {
             let point = |n: usize| behind.get(n).map(|(at, rest)| (*at, rest.contacts[i].margins[k]));
