@@ -54,7 +54,8 @@ fn the_limit_is_found_before_a_slip() -> Result<(), Error> {
     let limit = load_at(LIMIT);
     let grasp = jaws(2.2);
     let slip = grasp.onset(down(1.0))?.factor().unwrap();
-    assert!(slip > 1.1 * limit, "{slip} {limit}");
+    let linear = 2.0 * ARM * ARM * STIFFNESS[1] * LIMIT / POINT[0];
+    assert!(slip > 1.1 * limit && slip < linear, "{slip} {limit} {linear}");
     let verdict = grasp.hold(down(1.2 * slip))?;
     assert!((verdict.held_to * 1.2 * slip / limit - 1.0).abs() < 1e-6, "{verdict}");
     Ok(())
@@ -79,6 +80,32 @@ fn a_batch_finds_the_same_limit() -> Result<(), Error> {
                 Some(loads(number) < limit * (1.0 + 1e-6)),
                 "{friction} {number} {alone}"
             );
+        }
+    }
+    Ok(())
+}
+
+/// Forces take nearly all that resists, and the load hardly turns the object. It turns farther by a factor of twenty or fifty, and still holds; a little
+/// more load turns it too far, which is said in the place of buckling.
+#[test]
+fn a_growth_of_fifty_times_is_followed() -> Result<(), Error> {
+    for taken in [0.95, 0.98] {
+        let squeeze = taken * ARM * STIFFNESS[1];
+        let jaw = |x: f64| {
+            Contact::new([x, 0.0], [-x, 0.0])
+                .series_stiffness(STIFFNESS[0], STIFFNESS[1])
+                .friction(9.0)
+                .pressed_with(squeeze)
+        };
+        let grasp = Grasp::new([jaw(-ARM), jaw(ARM)])?;
+        let (sin, cos) = LIMIT.sin_cos();
+        let springs = STIFFNESS[1] * cos + STIFFNESS[0] * (1.0 - cos);
+        let limit = (2.0 * ARM * ARM * springs - 2.0 * ARM * squeeze) * sin;
+        for (part, holds) in [(0.9, true), (1.1, false)] {
+            let verdict = grasp.hold(Wrench::new([0.0, 0.0], part * limit))?;
+            assert_eq!(verdict.holds(), Some(holds), "{taken} {part} {verdict}");
+            let lost = verdict.lost.as_ref().unwrap();
+            assert!(matches!(lost.too_far, Some(TooFar::Turns { .. })), "{verdict}");
         }
     }
     Ok(())

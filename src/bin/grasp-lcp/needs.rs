@@ -95,7 +95,7 @@ impl OptionVectors {
                 return Ok(Sought::of(Need::arm(load.ok_or_else(missing)?, per_metre)));
             }
             (SoughtQuantity::Angle, _) => {
-                if asked.acceleration.is_some() && asked.mass.is_none() {
+                if asked.acceleration.is_some() && asked.mass.is_none() && setup.own_mass().is_some() {
                     let message = "--acceleration: must be left out where an angle is sought of bodies with masses of their own; what an acceleration adds, constant in the grasp, is `--base`";
                     return Err(Failure::Usage(message.to_owned()));
                 }
@@ -129,7 +129,7 @@ impl OptionVectors {
                         }
                         None => of_scene.loads,
                     };
-                    (loads, Some(of_scene.base))
+                    (loads, need_arguments.base.is_none().then_some(of_scene.base))
                 }
                 None if sought == SoughtQuantity::Load && need_arguments.any_force.is_none() => {
                     return Err(missing());

@@ -31,7 +31,7 @@ use crate::words::LinkKind;
 
 impl Engine {
     /// The fraction [`Verdict::left_out`](crate::hold::Verdict::left_out) of the resistance that geometric stiffness adds or takes away in the
-    /// equilibrium `there`. Without the equilibrium `rest`, from which only the load has changed, buckling alone counts. `None` if `there` is said to
+    /// equilibrium `there`. Without the equilibrium `rest`, from which only the load has changed, only what forces take in `there` counts. `None` if `there` is said to
     /// buckle or to turn over.
     pub(crate) fn left_out_between(
         &self,
@@ -43,8 +43,9 @@ impl Engine {
         }
         // The first fraction does not count the turning of the load. If the points of action of the load are known, it is already decided whether
         // the grasp buckles. A fraction of -1 or less, which contradicts that decision, is then dropped.
-        let is_open = |part: &f64| *part > -1.0 || !self.may_buckle(&there.load);
-        let by_the_load = rest.and_then(|rest| self.left_out_by_small_motions(rest, there)).filter(is_open);
+        let is_undecided = |part: &f64| *part > -1.0 || !self.may_buckle(&there.load);
+        let by_the_load =
+            rest.and_then(|rest| self.left_out_by_small_motions(rest, there)).filter(is_undecided);
         let by_forces = self.taken_by_forces(there, &there.load);
         let by_rotations = rest.and_then(|rest| self.lost_resistance(rest, there));
         [by_the_load, by_forces, by_rotations].into_iter().flatten().min_by(f64::total_cmp)

@@ -79,4 +79,4 @@ pub(crate) use too_far::{AIR_FLOWS_IN, CountedMotion, MotionData, farthest};
 pub(crate) use write_out::site_states;
 
 pub(crate) use left_out::LEAST_FRACTION;
-pub(crate) use tolerances::{ACCURATE, WORK_OF_ARMS};
+pub(crate) use tolerances::ACCURATE;

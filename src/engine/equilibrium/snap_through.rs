@@ -15,7 +15,7 @@ use super::tolerances::{
     FARTHEST_MOTION, FIRST_SHARE, LAST_NEWTON_STEP, LEAST_SHARE, MOST_SHARES, NEWTON_STEPS_OF_A_SHARE,
     WORK_OF_ARMS,
 };
-use super::too_far::{CountedMotion, MotionData, TooFar, farthest};
+use super::too_far::{MotionData, TooFar};
 use super::turning_parts::{TurningParts, carried_load};
 use crate::contact::State;
 use crate::grasp::{Engine, Wrench};
@@ -27,17 +27,18 @@ impl Engine {
     /// What finite rotations of its parts make of an equilibrium of small motions: the load is lost ([`TooFar::Buckles`]), or a motion is beyond its
     /// limit. `None` if neither is so, if a contact slides, or if the points of action of the load are not known. `None` also if rotations hardly change
     /// the motion: no contact does a hundredth of the elastic work along the change of arms, and forces that turn with the parts take little resistance.
+    /// `None` also, for a motion beyond its limit, if springs leave some motion free.
     pub(crate) fn too_far_with_turned_parts(
         &self,
         small: &SmallMotions,
         standing: &MotionData<'_>,
         load: &Wrench<3>,
     ) -> Option<TooFar> {
+        let beyond = |twist: &Vector| self.farthest_beyond(small, &MotionData { twist, ..*standing });
         match self.with_turned_parts(standing, load, Some(small))? {
-            WithTurnedParts::Lost => Some(TooFar::Buckles),
-            WithTurnedParts::Held(turned) => {
-                self.farthest_beyond(small, &MotionData { twist: &turned?, ..*standing })
-            }
+            // A motion that is beyond its limit before the load is lost says more than the loss.
+            WithTurnedParts::Lost(last) => beyond(&last).or(Some(TooFar::Buckles)),
+            WithTurnedParts::Held(turned) => beyond(&turned?),
         }
     }
 
@@ -67,7 +68,7 @@ impl Engine {
     }
 
     /// The fate of an equilibrium's load if its parts turn by finite rotations. `None` if a contact slides, or if the points of action of the load are
-    /// not known. `None` also if arms hardly change, unless forces enlarge the motion beyond the limits `small`.
+    /// not known. `None` also if arms hardly change, unless forces enlarge the motion beyond the limits `small`; without `small` that is not asked.
     fn with_turned_parts(
         &self,
         standing: &MotionData<'_>,
@@ -78,30 +79,37 @@ impl Engine {
         if standing.states.iter().any(State::slides) || !self.may_buckle(load) {
             return None;
         }
-        let grows = small.is_some_and(|small| self.grows_too_far(small, standing, load));
-        if !grows && !self.arms_may_matter(standing) {
+        let grown = small.and_then(|small| self.grown_too_far(small, standing, load));
+        if grown.is_none() && !self.arms_may_matter(standing) {
             return None;
         }
-        let parts = TurningParts::new(self, standing, load);
-        (grows || parts.arms_matter(standing.twist)).then(|| parts.follow(standing.twist))
+        let (parts, twist) = (TurningParts::new(self, standing, load), standing.twist);
+        let whole = grown.as_ref().map_or(0.0, Vector::norm).max(twist.norm());
+        (grown.is_some() || parts.arms_matter(twist)).then(|| parts.follow(whole))
     }
 
-    /// Whether the forces of an equilibrium, which turn with its parts, enlarge its motion q beyond a limit of small motions, and by more than the
-    /// fraction [`LEAST_FRACTION`]. With the stiffness K and the geometric stiffness K_g, the motion grows to `(K + K_g)⁻¹ K q`.
-    fn grows_too_far(&self, small: &SmallMotions, standing: &MotionData<'_>, load: &Wrench<3>) -> bool {
-        let over_the_limit = |twist: &Vector| {
-            let motions = self.counted_motions(small, &MotionData { twist, ..*standing });
-            farthest(&motions).map_or(0.0, CountedMotion::over_the_limit)
-        };
+    /// The motion to which the forces of an equilibrium, which turn with its parts, enlarge its motion q: `(K + K_g)⁻¹ K q` with the stiffness K and the
+    /// geometric stiffness K_g. `None` unless a part of it is near or beyond its limit, and larger by more than the fraction [`LEAST_FRACTION`].
+    fn grown_too_far(
+        &self,
+        small: &SmallMotions,
+        standing: &MotionData<'_>,
+        load: &Wrench<3>,
+    ) -> Option<Vector> {
+        let motions = |twist: &Vector| self.counted_motions(small, &MotionData { twist, ..*standing });
         let forces = indexed(self.contacts(), &|(i, _)| self.sites()[i].frame * standing.forces[i]);
         let (elastic, geometric) = self.stiffnesses(&forces, &|i| standing.states[i].is_open(), load);
         let mut grown = &elastic * standing.twist;
         let sum = |i, j| elastic[(i, j)] + geometric[(i, j)];
-        let Some(factors) = positive_factors(elastic.size().count(), &sum) else { return false };
-        factors.solve(grown.as_mut_slice());
+        positive_factors(elastic.size().count(), &sum)?.solve(grown.as_mut_slice());
         // The change of arms may enlarge the motion further, so that it is asked a little below the limit, too.
-        let (grown, more) = (over_the_limit(&grown), 1.0 + LEAST_FRACTION);
-        more * grown > 1.0 && grown > more * over_the_limit(standing.twist)
+        let more = 1.0 + LEAST_FRACTION;
+        let mut pairs = motions(standing.twist).into_iter().zip(motions(&grown));
+        let is_far = pairs.any(|(linear, grown)| {
+            let grown = grown.over_the_limit();
+            more * grown > 1.0 && grown > more * linear.over_the_limit()
+        });
+        is_far.then_some(grown)
     }
 
     /// Whether the change of arms can make some contact do more than the fraction [`WORK_OF_ARMS`] of the elastic work of all contacts: the arm r of a
@@ -147,8 +155,8 @@ fn site_forces(of: &Equilibrium<3>) -> Vec<SVector<f64, 3>> {
 
 /// The fate of a load, if the parts that carry it turn by finite rotations.
 enum WithTurnedParts {
-    /// The equilibrium of small motions does not lead to one with finite rotations.
-    Lost,
+    /// The equilibrium of small motions does not lead to one with finite rotations. The motion of all coordinates is the last on the way.
+    Lost(Vector),
     /// The load is held after this motion of all coordinates; `None` if springs do not resist some motion.
     Held(Option<Vector>),
 }
@@ -174,8 +182,8 @@ impl TurningParts<'_> {
         largest > WORK_OF_ARMS * elastic
     }
 
-    /// Follows the equilibrium from small motions to finite rotations. `twist` is the motion of the equilibrium of small motions.
-    fn follow(mut self, twist: &Vector) -> WithTurnedParts {
+    /// Follows the equilibrium from small motions to finite rotations. `whole` is the length of the motion, as far as it is known.
+    fn follow(mut self, whole: f64) -> WithTurnedParts {
         let (mut share, mut step) = (0.0, FIRST_SHARE);
         for _ in 0..MOST_SHARES {
             if share >= 1.0 || step < LEAST_SHARE {
@@ -183,7 +191,7 @@ impl TurningParts<'_> {
             }
             let before = (self.bodies.clone(), self.displaced.clone());
             let next = f64::min(share + step, 1.0);
-            if self.balance(next, twist.norm()) {
+            if self.balance(next, whole) {
                 (share, step) = (next, 2.0 * step);
             } else {
                 (self.bodies, self.displaced) = before;
@@ -191,13 +199,13 @@ impl TurningParts<'_> {
             }
         }
         if share < 1.0 {
-            return WithTurnedParts::Lost;
+            return WithTurnedParts::Lost(self.displaced);
         }
         WithTurnedParts::Held(self.resisted.is_none().then_some(self.displaced))
     }
 
     /// Finds the equilibrium with this share of exact rotations by Newton's method, from the present position. False if the tangent stiffness is not
-    /// positive definite on the way, or if the position moves by more than [`FARTHEST_MOTION`] times `whole`, the length of the motion of small motions.
+    /// positive definite on the way, or if the position moves by more than [`FARTHEST_MOTION`] times `whole`, the length of the whole motion.
     fn balance(&mut self, share: f64, whole: f64) -> bool {
         let mut moved = 0.0;
         for _ in 0..NEWTON_STEPS_OF_A_SHARE {

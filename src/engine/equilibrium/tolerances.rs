@@ -9,7 +9,7 @@ pub(crate) const ACCURATE: f64 = 1e-10;
 
 /// Part of the elastic work below which the change of arms is neglected. At a snap-through it is near a fifth. If larger, a part that snaps through
 /// beside much softer ones would be missed; if smaller, ordinary grasps would take longer.
-pub(crate) const WORK_OF_ARMS: f64 = 0.01;
+pub(super) const WORK_OF_ARMS: f64 = 0.01;
 
 /// The first step of the share of exact rotations. If larger, first steps often fail; if smaller, there are more steps than needed.
 pub(super) const FIRST_SHARE: f64 = 0.25;

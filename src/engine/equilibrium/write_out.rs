@@ -49,22 +49,22 @@ impl Engine {
         let (joints, tendons) = self.hand_answers(problem, &found);
         let leaks = || self.leaking_cup(&|i| found.states[i].is_open()).map(|cup| TooFar::Leaks { cup });
         let standing = MotionData::found(problem, &found);
-        // Where motions are beyond their limits, they say more than a snap-through that follows from them.
-        let turned = if self.buckles_in(&contacts, &found.states, load) {
+        let by_turning_forces = if self.buckles_in(&contacts, &found.states, load) {
             Some(TooFar::Buckles)
         } else if self.is_within(&small, &standing) {
+            // Where motions are beyond their limits, they say more than a snap-through that follows from them.
             self.too_far_with_turned_parts(&small, &standing, load)
         } else {
             None
         };
-        let too_far = if turned == Some(TooFar::Buckles) {
-            turned
+        let too_far = if by_turning_forces == Some(TooFar::Buckles) {
+            by_turning_forces
         } else if !contacts.iter().any(|contact| self.just_touches(contact))
             && self.driven_along(&found.free_motions, &forces_in(&contacts), load).is_some()
         {
             Some(TooFar::TurnsOver)
         } else {
-            leaks().or_else(|| self.farthest_beyond(&small, &standing)).or(turned)
+            leaks().or_else(|| self.farthest_beyond(&small, &standing)).or(by_turning_forces)
         };
         Equilibrium {
             load: *load,

@@ -14,21 +14,21 @@ use crate::prelude::*;
 impl<const C: usize> LoadPath<'_, C> {
     /// The point, on the part of the path followed so far, from which on the answers say little about the object. There a motion is no longer small,
     /// a suction cup leaks ([`Self::end_of_small_motions`]), the grasp [buckles](TooFar::Buckles), or the object [turns over](TooFar::TurnsOver).
-    /// The last two are checked at rest, at the end of each leg and of the path, and where the first contact slides, wherever the points of action of
+    /// The last two are checked at rest, at the end of each leg and of the path, and just before contacts slide, wherever the points of action of
     /// the load are known. So are motions that finite rotations make larger than small ones. The point at which they begin is then found to nine digits.
     #[must_use]
     pub fn end_of_theory(&self) -> Option<EndOfSmallMotions> {
         self.end_of_theory_before(self.end_of_small_motions())
     }
 
-    /// The point from which on the theory of small motions no longer applies: the beginning of buckling or turning over, or `far` if that comes first. `far` is the
-    /// point at which motions cease to be small.
+    /// [`Self::end_of_theory`], with the point `far` at which motions cease to be small.
     pub(crate) fn end_of_theory_before(&self, far: Option<&EndOfSmallMotions>) -> Option<EndOfSmallMotions> {
         end_of_theory(&*self.0, far)
     }
 }
 
-/// The point of the path from which on the grasp buckles or the object turns over, if it comes before the point `far` at which motions cease to be small; else `far`.
+/// The point of the path from which on the theory of small motions no longer applies: the point `far` at which motions cease to be small, or an earlier
+/// point. There the grasp buckles, the object turns over, or finite rotations carry a motion beyond its limit.
 pub(super) fn end_of_theory<const C: usize>(
     path: &dyn AnyPath<C, Event<C>>,
     far: Option<&EndOfSmallMotions>,
@@ -36,12 +36,12 @@ pub(super) fn end_of_theory<const C: usize>(
     let end = far.map_or(path.place(), |far| (far.leg, far.fraction));
     // At the point `far` itself the motion is at its limit without finite rotations, too.
     let until = if far.is_some() { (end.0, end.1 * (1.0 - NEGLIGIBLE)) } else { end };
-    let before = before_large_motions(path, until).filter(|at| far.is_none() || (at.leg, at.fraction) < end);
+    let before = end_by_turning_forces(path, until).filter(|at| far.is_none() || (at.leg, at.fraction) < end);
     before.or_else(|| far.cloned())
 }
 
 /// The places of a path up to the place `end` at which it is asked whether the grasp buckles or the object turns over: rest and the ends of legs. Along a
-/// load that turns they lie in between, too. So does the place just before a first slip.
+/// load that turns they lie in between, too. Others lie just before something slides: finite rotations are followed only while nothing slides.
 pub(super) fn places<const C: usize, T>(path: &dyn AnyPath<C, T>, end: (usize, f64)) -> Vec<(usize, f64)> {
     let load = |leg: usize, fraction: f64| path.state_at(leg, fraction).map(|state| state.load);
     let turns = |leg: usize, to: f64| {
@@ -57,11 +57,11 @@ pub(super) fn places<const C: usize, T>(path: &dyn AnyPath<C, T>, end: (usize, f
         let parts = if turns(leg, to) { PARTS_OF_A_TURN } else { 1 };
         (1..=parts).map(|k| (leg, to * f64::from(k) / f64::from(parts))).append_to(&mut places);
     }
-    // Just before a slip nothing slides, so that finite rotations are asked there.
-    let slips_at = path.sticks_until().filter(|(_, fraction)| *fraction < 1.0);
-    let before_it = slips_at.map(|(leg, fraction)| (leg, fraction * (1.0 - NEGLIGIBLE)));
-    if let Some(last) = before_it.filter(|last| *last < end) {
-        places.insert(places.partition_point(|place| *place < last), last);
+    for (leg, fraction) in path.sticks_until() {
+        let last = (leg, fraction * (1.0 - NEGLIGIBLE));
+        if fraction < 1.0 && last < end {
+            places.insert(places.partition_point(|place| *place < last), last);
+        }
     }
     places.dedup();
     places
@@ -70,7 +70,7 @@ pub(super) fn places<const C: usize, T>(path: &dyn AnyPath<C, T>, end: (usize, f
 /// The point of the path, to nine digits, from which on the grasp buckles, the object turns over, or finite rotations make a motion too large. All are
 /// checked at the [`places`] of the path, wherever the points of action of the load are known. Up to `end` the motions of small rotations are within
 /// their limits.
-fn before_large_motions<const C: usize>(
+fn end_by_turning_forces<const C: usize>(
     path: &dyn AnyPath<C, Event<C>>,
     end: (usize, f64),
 ) -> Option<EndOfSmallMotions> {

@@ -115,8 +115,9 @@ pub(crate) trait Follower<'g>: Debug {
         None
     }
 
-    /// The last place (leg and fraction of it) where a piece of the path ends on which nothing slides. `None` from a follower that does not store its past.
-    fn sticks_until(&self) -> Option<(usize, f64)> {
-        None
+    /// The places (leg and fraction of it) at which pieces of the path end on which nothing slides, before a piece on which something does, or before
+    /// the present place. Empty from a follower that does not store its past.
+    fn sticks_until(&self) -> Vec<(usize, f64)> {
+        Vec::new()
     }
 }

@@ -16,6 +16,8 @@ use super::small_motions::EndOfSmallMotions;
 use crate::equilibrium::Equilibrium;
 use crate::error::Error;
 use crate::grasp::{Coordinates, Engine, Wrench};
+use crate::numerics::amax;
+use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::object::Problem;
 use crate::prelude::*;
 use crate::search::{Settings, settle};
@@ -119,7 +121,7 @@ pub(crate) trait AnyPath<const C: usize, T>: Debug {
     fn end_of_small_motions(&self) -> Option<&EndOfSmallMotions>;
     fn farthest(&self) -> f64;
     fn all_slide_from(&self, until: (usize, f64)) -> Option<(usize, f64)>;
-    fn sticks_until(&self) -> Option<(usize, f64)>;
+    fn sticks_until(&self) -> Vec<(usize, f64)>;
     fn left_out(&self) -> Option<f64>;
 }
 
@@ -215,14 +217,22 @@ impl<'g, F: Follower<'g>> AnyPath<3, F::Report> for Following<'g, F> {
         self.follower.as_ref()?.all_slide_from(until)
     }
 
-    fn sticks_until(&self) -> Option<(usize, f64)> {
-        self.follower.as_ref()?.sticks_until()
+    fn sticks_until(&self) -> Vec<(usize, f64)> {
+        self.follower.as_ref().map(Follower::sticks_until).unwrap_or_default()
     }
 
     fn left_out(&self) -> Option<f64> {
         let rest = self.state_at(0, 0.0).filter(|_| self.run.program.changes_loads_alone());
-        let part =
-            |(leg, fraction)| self.run.grasp.left_out_between(rest.as_ref(), &self.state_at(leg, fraction)?);
+        // Slips since rest, and the rounding of a load that has come back, would be taken for the motion and the change of the load.
+        let is_like = |rest: &&Equilibrium<3>, there: &Equilibrium<3>| {
+            let size = |load: &Wrench<3>| amax(load.components());
+            rest.local.slips == there.local.slips
+                && size(&(there.load - rest.load)) > NEGLIGIBLE * size(&there.load).max(size(&rest.load))
+        };
+        let part = |(leg, fraction)| {
+            let there = self.state_at(leg, fraction)?;
+            self.run.grasp.left_out_between(rest.as_ref().filter(|rest| is_like(rest, &there)), &there)
+        };
         places(self, self.place()).into_iter().filter_map(part).min_by(f64::total_cmp)
     }
 }

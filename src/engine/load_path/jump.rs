@@ -99,6 +99,10 @@ impl<const C: usize> fmt::Display for Jump<C> {
         let slips =
             slips.iter().map(|(contact, far)| format!("{} slips {}", contact.text(), words.length(*far)));
         let slips = listed(&slips.list());
-        if self.snaps { write!(f, "snaps over, and {slips}") } else { write!(f, "caught after {slips}") }
+        match (self.snaps, self.slips.is_empty()) {
+            (true, _) => write!(f, "snaps over, and {slips}"),
+            (false, true) => f.write_str("caught after moving"),
+            (false, false) => write!(f, "caught after {slips}"),
+        }
     }
 }

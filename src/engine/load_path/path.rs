@@ -156,7 +156,7 @@ impl<const C: usize, T: Face> AnyPath<C, T> for ConvertedPath<'_, C, T> {
         self.inside.all_slide_from(until)
     }
 
-    fn sticks_until(&self) -> Option<(usize, f64)> {
+    fn sticks_until(&self) -> Vec<(usize, f64)> {
         self.inside.sticks_until()
     }
 

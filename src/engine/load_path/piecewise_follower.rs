@@ -35,7 +35,7 @@ use crate::contact::{State, WEIGHTLESS};
 use crate::equilibrium::{ACCURATE, Equilibrium};
 use crate::error::Error;
 use crate::grasp::{Engine, WholeContact, Wrench};
-use crate::numerics::{Vector, largest, mapped};
+use crate::numerics::{Vector, chosen, largest, mapped};
 use crate::object::{ForcesAndTwist, Problem};
 use crate::prelude::*;
 use crate::search::{Doubt, Settings};
@@ -169,10 +169,14 @@ impl<'g> Follower<'g> for PiecewiseFollower<'g> {
         self.pieces_all_slide_from(until)
     }
 
-    fn sticks_until(&self) -> Option<(usize, f64)> {
-        let sticks =
-            |piece: &&StoredPiece<'_>| piece.to > piece.from && !piece.states.iter().any(State::slides);
-        self.behind.iter().rev().find(sticks).map(|piece| (piece.leg, piece.to))
+    fn sticks_until(&self) -> Vec<(usize, f64)> {
+        let sticks = |piece: &StoredPiece<'_>| !piece.states.iter().any(State::slides);
+        let ends_before_a_slip = |k: &usize| {
+            let piece = &self.behind[*k];
+            piece.to > piece.from && sticks(piece) && self.behind.get(k + 1).is_none_or(|next| !sticks(next))
+        };
+        let last = chosen(self.behind.len(), &ends_before_a_slip);
+        mapped(&last, &|k| (self.behind[*k].leg, self.behind[*k].to))
     }
 
     fn state_behind(&self, leg: usize, fraction: f64) -> Option<Equilibrium<3>> {

@@ -154,13 +154,13 @@ impl Program {
         self.torques = HeldTorques::default();
     }
 
-    /// Whether commands and joint torques stay along all legs.
+    /// Whether commands and joint torques stay along all legs. False if legs are known no longer, because more were appended once they were done.
     pub(super) fn changes_loads_alone(&self) -> bool {
         let stays = |leg: &Leg<3>| {
             leg.commands == LegGoal::Stay
                 && [&leg.joints, &leg.torques].into_iter().all(|goal| *goal == LegGoal::Stay)
         };
-        self.legs.iter().all(stays)
+        self.done == 0 && self.legs.iter().all(stays)
     }
 
     pub(super) fn has_leg(&self) -> bool {

@@ -8,8 +8,9 @@ use crate::error::{Error, is_moderate};
 /// A translation of the object while every contact sticks only deflects springs. It changes neither normals nor the relative positions of the
 /// contacts, and has no limit.
 ///
-/// While nothing slides, rotations are those with finite rotations of all parts, if the forces that turn with the parts take more than a tenth of what
-/// resists. Otherwise they are those of the linear theory.
+/// Where forces that turn with the parts enlarge a motion by more than a tenth, to its limit, it is measured with finite rotations of all parts. That is
+/// so while nothing slides, if the points of action of the load are known and springs resist every motion. All other motions are those of the linear
+/// theory.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(
     feature = "serde",

@@ -36,7 +36,8 @@ pub(super) const MOST_WORK: usize = 500_000_000;
 pub(super) const NEAR_THE_RELAXED_STATE: f64 = 0.3;
 
 /// In branch and bound on the round cone, an equilibrium with stretches and forces at least this multiple of those of the elastic trial, in energy
-/// units, counts as none: parts would have to move by kilometres.
+/// units, counts as none: parts would have to move by kilometres. This is asked before the relaxation of a case is solved to the end, where rounding hides
+/// the contradiction.
 ///
 /// If smaller, equilibria of very soft contacts beside very stiff ones are missed; if larger, cases whose only equilibrium is near infinity stay
 /// undecided.

@@ -13,6 +13,7 @@ use crate::grasp::Wrench;
 use crate::load_path::Turn;
 use crate::need::Quantity;
 use crate::numerics::{Each, summed};
+use crate::words::LinkKind;
 
 impl Setup<3> {
     /// The total mass of all bodies on which the scene's gravity acts, kg, and their common centre of mass, m; `None` without a mass or without
@@ -72,8 +73,10 @@ impl Setup<3> {
             let links = setup.links.iter_mut().map(|link| &mut link.link);
             for (link, contact) in links.filter(|link| link.tension.is_some()).zip(tense) {
                 let pretension = contact.command[0] * contact.stiffness.series()[0];
-                *link = link.clone().pretension(pretension.max(0.0));
-                link.slack -= contact.command[0].min(0.0);
+                *link = link.clone().pretension(pretension);
+                if link.kind() == LinkKind::Cable && pretension < 0.0 {
+                    (link.pretension, link.slack) = (0.0, -contact.command[0]);
+                }
             }
         }
         Ok(setup)
@@ -140,7 +143,7 @@ impl Setup<3> {
             && matches!(asked.quantity(), Quantity::Squeeze | Quantity::Force)
             && self.has_tensions()
         {
-            // Such an amount would be a tension without the weight.
+            // Without gravity the sought amount would scale a pretension, not the tension under the weight.
             let fault = "given, must be left out where the squeeze or a force is sought and a link has a `tension`: say its `pretension`";
             return Err(Error::Question { question: "need", field: "turn", fault });
         }

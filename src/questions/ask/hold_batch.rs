@@ -71,8 +71,8 @@ fn held<const C: usize>(
     for (number, sticking) in rows.zip(sticking) {
         // The result of screening is used only if first slip is clearly beyond the whole load, and the motion clearly small. Otherwise rounding could
         // change the verdict.
-        let clear = sticking
-            .filter(|sticks| sticks.first.holds_up_to(1.0 + NEGLIGIBLE) && sticks.is_small(limit, 1.0));
+        let clear =
+            sticking.filter(|sticks| sticks.first.holds_up_to(1.0 + NEGLIGIBLE) && sticks.is_small(limit));
         verdicts.push(match clear {
             Some(sticking) => Ok(ShortVerdict::sticks(sticking.first.factor())),
             None => caught(&|| {

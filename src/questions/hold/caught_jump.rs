@@ -85,8 +85,15 @@ impl CaughtMotion {
         let (distance, angle) = (farthest.middle_moves().norm(), farthest.twist.parts().1.size());
         let (turning, slides) = (farthest.turning_moves(), !jump.slips.is_empty());
         let body = farthest.body.to_string();
-        let yields = jump.slips.is_empty() && !jump.snaps;
-        (yields || !contacts.is_empty()).then_some(Self { contacts, body, distance, angle, turning, slides })
+        let nothing_slips = jump.slips.is_empty() && !jump.snaps;
+        (nothing_slips || !contacts.is_empty()).then_some(Self {
+            contacts,
+            body,
+            distance,
+            angle,
+            turning,
+            slides,
+        })
     }
 }
 

@@ -45,6 +45,7 @@ impl Engine {
         let mut sway = Vector::zeros();
         for (stiffness, motion) in self.free_stiffness(free, &forces, load)? {
             let drive = motion.dot(&whole);
+            // The drive of a motion that the load does not drive is rounding.
             if drive.abs() <= NEGLIGIBLE * whole.norm() && stiffness >= 0.0 {
                 continue;
             }

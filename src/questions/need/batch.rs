@@ -18,7 +18,6 @@ use crate::error::Error;
 use crate::grasp::{Contact, Wrench, inside};
 use crate::hold::{Holding, Verdict};
 use crate::load_path::Ramp;
-use crate::numerics::mapped;
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::prelude::*;
 use crate::screening::WhileSticking;
@@ -140,9 +139,7 @@ impl BatchNeed {
         let sticking = while_sticking(rows.clone(), row, &self.settings, &|contacts, base| {
             sticks && self.is_proportional(contacts, base)
         });
-        let mut bounds: Vec<_> =
-            mapped(&sticking, &|sticking| sticking.as_ref().and_then(|one| self.while_it_sticks(one)));
-        self.at_the_amount_sought(rows.start, row, &sticking, &mut bounds);
+        let bounds = self.while_they_stick(rows.start, row, &sticking);
         let mut amounts = Vec::with_capacity(rows.len());
         for (number, bound) in rows.zip(bounds) {
             amounts.push(match bound {
@@ -153,51 +150,35 @@ impl BatchNeed {
         amounts
     }
 
-    /// Fills in answers that [`Self::while_it_sticks`] leaves open. That function bounds the rotation with the sought multiple of load or squeeze; the
-    /// bound may exceed the limit of small motions although the rotation does not. Therefore the rotation itself is computed with that multiple.
-    fn at_the_amount_sought<const C: usize>(
+    /// The amounts with which everything sticks, of rows from `first` on. `None` for a row unless rotations with its amount are clearly small, and the
+    /// grasp surely neither buckles nor snaps through: rows are screened again with their amounts.
+    fn while_they_stick<const C: usize>(
         &self,
         first: usize,
         row: &RowOf<'_, C>,
         sticking: &[Option<WhileSticking>],
-        bounds: &mut [Option<f64>],
-    ) {
+    ) -> Vec<Option<f64>> {
         let mut again = Vec::new();
-        for (place, sticking) in sticking.iter().enumerate().filter(|(place, _)| bounds[*place].is_none()) {
+        for (place, sticking) in sticking.iter().enumerate() {
             let multiple = sticking.as_ref().and_then(|one| one.first.factor());
             again.extend(multiple.and_then(|multiple| self.amount(multiple)).map(|amount| (place, amount)));
         }
         let multiplied = |k: usize, contacts: &mut Vec<Contact<C>>| {
-            let (place, multiple) = again[k];
+            let (place, amount) = again[k];
             let [base, load] = row(first + place, contacts);
             if self.quantity == Quantity::Squeeze {
-                contacts.iter_mut().for_each(|contact| contact.squeeze(multiple));
+                contacts.iter_mut().for_each(|contact| contact.squeeze(amount));
                 return [base, load];
             }
-            [base, load * multiple]
+            [base, load * amount]
         };
         let there = while_sticking(0..again.len(), &multiplied, &self.settings, &|_, _| true);
-        for ((place, multiple), there) in again.iter().zip(there) {
-            let is_small = there.is_some_and(|there| self.is_small(&there, 1.0));
-            bounds[*place] = is_small.then_some(*multiple);
+        let limit = self.settings.small_motions.rotation;
+        let mut bounds = vec![None; sticking.len()];
+        for ((place, amount), there) in again.iter().zip(there) {
+            bounds[*place] = there.filter(|there| there.is_small(limit)).map(|_| *amount);
         }
-    }
-
-    fn is_small(&self, sticking: &WhileSticking, times: f64) -> bool {
-        sticking.is_small(self.settings.small_motions.rotation, times)
-    }
-
-    /// The amount with which everything sticks; `None` unless the rotation of the object with this amount is clearly within the limit of small
-    /// motions, and the grasp surely does not buckle.
-    fn while_it_sticks(&self, sticking: &WhileSticking) -> Option<f64> {
-        let multiple = sticking.first.factor()?;
-        let amount = self.amount(multiple)?;
-        // Rotation and forces are linear in load and squeeze together. `turn` and `taken` bound them at rest and under the given load, and thus for
-        // all multiples of load and squeeze.
-        let [load, squeeze] =
-            if self.quantity == Quantity::Squeeze { [1.0, amount] } else { [multiple, 1.0] };
-        let times = load + (squeeze - load).abs();
-        self.is_small(sticking, times).then_some(amount)
+        bounds
     }
 
     /// The amount for one row, a grasp with its load.

@@ -70,8 +70,7 @@ pub(crate) fn pressure_of_cup(points: &[Contact<3>]) -> Option<f64> {
 impl ContactPress {
     /// The force of the contact as text: "16.7 N"; of a suction cup the vacuum, "13.3 kPa (16.7 N)", of an overlap "0.025 mm of overlap (250 N)".
     fn in_words(&self, words: Words) -> String {
-        let newtons =
-            words.number(self.pressed_with.filter(|_| self.pressure.is_some()).unwrap_or(self.force));
+        let newtons = words.number(self.named_force());
         match (self.pressure, self.overlap) {
             (Some(pressure), _) if pressure > ATMOSPHERE => format!(
                 "{} kPa ({newtons} N; more than an atmosphere: no vacuum does)",
@@ -81,6 +80,11 @@ impl ContactPress {
             (None, Some(overlap)) => format!("{} of overlap ({newtons} N)", words.length(overlap)),
             (None, None) => format!("{newtons} N"),
         }
+    }
+
+    /// The force that the text of [`Self::in_words`] names: for a suction cup that of its vacuum, else the normal force, N.
+    fn named_force(&self) -> f64 {
+        self.pressed_with.filter(|_| self.pressure.is_some()).unwrap_or(self.force)
     }
 
     /// Whether the text of [`Self::in_words`] states a number that the user sets: a pressure, an overlap, or a normal force equal to `pressed_with`.
@@ -110,11 +114,11 @@ fn is_alike(presses: &[&ContactPress], number: &dyn Fn(&ContactPress) -> Option<
     presses.first().is_some_and(|first| presses.iter().all(|press| is_same(press, number(first))))
 }
 
-/// The normal force that is the same at all pressing contacts, N, to within the relative difference [`ALIKE_IN_WORDS`] (1e-6); `None` if forces
+/// The force that is named of all pressing contacts, N, if it is the same to within the relative difference [`ALIKE_IN_WORDS`] (1e-6); `None` if forces
 /// differ.
 pub(super) fn alike(presses: &[ContactPress]) -> Option<f64> {
     let pressing = pressing(presses);
-    is_alike(&pressing, &|press| Some(press.force)).then(|| pressing[0].force)
+    is_alike(&pressing, &|press| Some(press.named_force())).then(|| pressing[0].named_force())
 }
 
 /// The text for a normal force that is the same at all pressing contacts: `name(force)`. In parentheses follow the number to set, `pressed_with`, if
@@ -174,7 +178,8 @@ fn with_what_is_set(words: Words, presses: &[ContactPress], times: String) -> St
     let Some((first, force)) = set.first().and_then(|first| Some((first, first.pressed_with?))) else {
         return times;
     };
-    if !is_alike(&set, &|press| press.pressed_with) || set.len() > MOST_NAMES {
+    let is_same = is_alike(&set, &|press| press.pressed_with) && is_alike(&set, &|press| press.pressure);
+    if !is_same || set.len() > MOST_NAMES {
         return times;
     }
     let names: Vec<_> = mapped(&set, &|press| press.part.text());

@@ -1,4 +1,4 @@
-//! A bound that shows that a sticking grasp does not buckle, for several grasps, one in each lane of a vector. Contact forces and the load reduce the
+//! Bounds of what turning forces do to a sticking grasp, for several grasps, one in each lane of a vector. Contact forces and the load reduce the
 //! stiffness against rotation, because their points of action turn with the object.
 //!
 //! Let contact i be at least as stiff as k_i in every direction, and let r_i be its arm from the centroid of the contacts weighted by k_i. The
@@ -9,8 +9,8 @@
 //!
 //! The geometric stiffness enlarges a rotation θ by at most `√(tr J⁻¹ · Mθ·J⁻¹Mθ) / (1 - t)`, with the square root t of that trace.
 //!
-//! Beyond the first order the arm r of a force changes by at most `½ |θ|² |r|`. The force that the displacement u of contact i stretches its springs
-//! by, `K_i u_i`, does at most the work `½ |θ|² |r_i| |K_i u_i|` on it; all springs together do the elastic work `Σ u·K u`.
+//! Beyond the first order the arm r of a force changes by at most `½ |θ|² |r|`. The force `K_i u_i` by which contact i resists its displacement u_i
+//! does at most the work `½ |θ|² |r_i| |K_i u_i|` along this change. All springs together do the elastic work `Σ u·K u`.
 
 use super::block::{Block, count, entries};
 use super::factors::LaneFactors;
@@ -28,14 +28,14 @@ pub(super) struct RotationalStiffness<const C: usize, X: Packed> {
     compliance: X,
 }
 
-/// Upper bounds of what the geometric stiffness and the change of arms do to an equilibrium in which every contact sticks. NaN if some rotation is not
-/// resisted, and if no contact carries a force, so that the object lies loose.
+/// Upper bounds of what the geometric stiffness and the change of arms do to an equilibrium in which every contact sticks.
 #[derive(Clone, Copy)]
 pub(super) struct RotationBounds<X: Packed> {
-    /// The fraction of the stiffness against rotation that contact forces and load take away, or add, in any rotation.
+    /// The fraction of the stiffness against rotation that contact forces and load take away, or add, in any rotation. NaN if some rotation is not
+    /// resisted, and if no contact carries a force, so that the object lies loose.
     pub(super) taken: X,
-    /// The growth of the rotation by the geometric stiffness, rad, times `1 - taken`.
-    pub(super) drift: X,
+    /// The rotation after the geometric stiffness has enlarged it, rad; without meaning unless `taken` is below 1.
+    pub(super) grown: X,
     /// The work that a contact does along the change of its arm, as a part of the elastic work.
     pub(super) arms: X,
 }
@@ -113,18 +113,18 @@ impl<const C: usize, X: Packed> RotationalStiffness<C, X> {
         (forces, load): (&[Force<C, X>], &LoadAtPoints<C, X>),
         turn: &[X; 3],
     ) -> RotationBounds<X> {
-        let mut bounds = RotationBounds { taken: X::all(0.0), drift: X::all(0.0), arms: X::all(0.0) };
+        let mut bounds = RotationBounds { taken: X::all(0.0), grown: X::all(0.0), arms: X::all(0.0) };
         v.run(
             #[inline(always)]
             || {
-                [bounds.taken, bounds.drift] = self.of_geometric_stiffness(block, (forces, load), turn);
+                [bounds.taken, bounds.grown] = self.of_geometric_stiffness(block, (forces, load), turn);
                 bounds.arms = self.work_of_arms((block, method), forces, turn);
             },
         );
         bounds
     }
 
-    /// The bound `√tr (J⁻¹ M)²` of the fraction taken, and the drift `√(tr J⁻¹ · Mθ·J⁻¹Mθ)`.
+    /// The bound `t = √tr (J⁻¹ M)²` of the fraction taken, and that of the enlarged rotation, `|θ| + √(tr J⁻¹ · Mθ·J⁻¹Mθ) / (1 - t)`.
     #[inline(always)]
     fn of_geometric_stiffness(
         &self,
@@ -159,7 +159,7 @@ impl<const C: usize, X: Packed> RotationalStiffness<C, X> {
             }
             columns[k] = self.factors.solve(rows, &column);
         }
-        let drift = dot(&turned, &self.factors.solve(rows, &turned));
+        let growth = (self.compliance * dot(&turned, &self.factors.solve(rows, &turned))).abs().sqrt();
         let mut trace = zero;
         for a in 0..rows {
             for b in 0..rows {
@@ -167,7 +167,8 @@ impl<const C: usize, X: Packed> RotationalStiffness<C, X> {
             }
         }
         let taken = squares.above(zero, trace.abs().sqrt(), nan);
-        [self.factors.free.above(zero, nan, taken), (self.compliance * drift).abs().sqrt()]
+        let grown = dot(turn, turn).sqrt() + growth / (X::all(1.0) - taken);
+        [self.factors.free.above(zero, nan, taken), grown]
     }
 
     /// The largest work of a contact along the change of its arm, as a part of the elastic work; zero without elastic work.
@@ -196,7 +197,7 @@ impl<const C: usize, X: Packed> RotationalStiffness<C, X> {
         }
         // Arms are about the centroid of the contacts. They are at most twice the largest distance of a contact from `centre`.
         let part = dot(turn, turn) * (strongest * farthest).sqrt() / elastic;
-        elastic.above(zero, part, zero)
+        elastic.above(zero, part, zero) + zero * elastic
     }
 }
 

@@ -9,7 +9,7 @@ use super::first_exit::judge;
 use super::first_slip::SlipCode;
 use super::forces::AnyForces;
 use super::kernels::Kernels;
-use super::lanes::{Packed, dot};
+use super::lanes::Packed;
 use super::moved::ObjectMotion;
 use super::point_batch::PointBatch;
 use super::pull::Pull;
@@ -18,7 +18,7 @@ use super::screened::Screened;
 use super::springs::Cause;
 use super::tolerances::ON_THE_EDGE;
 use crate::contact::ZERO_SLACK;
-use crate::equilibrium::{LEAST_FRACTION, WORK_OF_ARMS};
+use crate::equilibrium::LEAST_FRACTION;
 use crate::numerics::Vectors;
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::prelude::*;
@@ -35,15 +35,13 @@ pub(crate) struct SlipAndRotation<const C: usize> {
 #[derive(Clone, Copy)]
 pub(crate) struct WhileSticking {
     pub(crate) first: Screened,
-    /// The larger of the object's rotations under the base load and under the whole load (factor 1), rad. NaN if the position of the object is not
-    /// determined, or if no rotation was computed.
-    pub(crate) turn: f64,
     /// Contact forces and the load reduce the stiffness against rotation, because their points of action turn with the object. This number is an
     /// upper bound of the fraction that they take away. If the bound is below 1, the grasp does not buckle. The bound holds under the base load and
     /// under the whole load. NaN if it is not known, if no contact carries a force, or if no rotation was computed.
     pub(crate) taken: f64,
-    /// An upper bound of the growth of the rotation by that loss of stiffness, rad, times `1 - taken`.
-    pub(crate) drift: f64,
+    /// An upper bound of the object's rotation, as that loss of stiffness enlarges it, under the base load and under the whole load (factor 1), rad. NaN
+    /// if the position of the object is not determined, or if no rotation was computed.
+    pub(crate) grown: f64,
     /// An upper bound of the work that a contact does along the change of its arm, as a part of the elastic work.
     pub(crate) arms: f64,
 }
@@ -52,22 +50,16 @@ pub(crate) struct WhileSticking {
 /// difference from 1 is far larger than the rounding of [`WhileSticking::taken`].
 const SURELY: f64 = 0.99;
 
-/// A grasp surely does not snap through if a change of arms does at most this part of the elastic work. At a snap-through it does about a fifth, and
-/// this part is a bound. If smaller, ordinary rows take a hundred times as long.
+/// A grasp surely does not snap through if a change of arms does at most this part of the elastic work. At a snap-through it does about a fifth. If
+/// smaller, ordinary rows take a hundred times as long; if larger, rows that snap through are said to stick.
 const SURELY_NO_SNAP: f64 = 0.05;
 
 impl WhileSticking {
-    /// Whether the rotation stays within its `limit`, rad, the grasp surely does not buckle, and finite rotations change neither. This holds for any
-    /// change of load and commands that multiplies rotation and forces by at most `times`.
-    pub(crate) fn is_small(&self, limit: f64, times: f64) -> bool {
-        let (turn, taken) = (self.turn * times, self.taken * times);
-        let (arms, within) = (self.arms * times, limit * (1.0 - NEGLIGIBLE));
-        let (grown, more) = (turn + self.drift * times * times / (1.0 - taken), 1.0 + LEAST_FRACTION);
-        // The whole verdict follows a row to finite rotations if its motion grows by more than `LEAST_FRACTION`, or if arms do more than `WORK_OF_ARMS`.
-        // Such a row stays small if it keeps that fraction of the limit for each.
-        let is_linear = grown <= more * turn * (1.0 - NEGLIGIBLE) && arms <= WORK_OF_ARMS;
-        let stays = turn <= within && (is_linear || more * more * grown <= within);
-        stays && taken <= SURELY && arms <= SURELY_NO_SNAP
+    /// Whether the rotation surely stays within its `limit`, rad, with finite rotations, too, and the grasp surely neither buckles nor snaps through.
+    pub(crate) fn is_small(&self, limit: f64) -> bool {
+        // A change of arms up to `SURELY_NO_SNAP` may enlarge the rotation by a tenth more, by estimate.
+        let within = limit / (1.0 + LEAST_FRACTION) * (1.0 - NEGLIGIBLE);
+        self.grown <= within && self.taken <= SURELY && self.arms <= SURELY_NO_SNAP
     }
 }
 
@@ -122,9 +114,8 @@ impl<const C: usize> ScreeningQuestion<C> for SlipAndRotation<C> {
     type Answer = WhileSticking;
     const UNKNOWN: WhileSticking = WhileSticking {
         first: Screened(SlipCode::UNKNOWN),
-        turn: f64::NAN,
         taken: f64::NAN,
-        drift: f64::NAN,
+        grown: f64::NAN,
         arms: f64::NAN,
     };
 
@@ -145,7 +136,7 @@ impl<const C: usize> ScreeningQuestion<C> for SlipAndRotation<C> {
         prepared.under_lanes(&at_rest, base);
         base.add_to(prepared.block.contacts, prepared.squeezed, ON_THE_EDGE / ZERO_SLACK);
         let first = judge(prepared.vectors, &prepared.block, base, rates);
-        let [mut turn, mut taken, mut drift, mut arms] = [X::all(f64::NAN); 4];
+        let [mut taken, mut grown, mut arms] = [X::all(f64::NAN); 3];
         if self.turns {
             let (v, block) = (prepared.vectors, &prepared.block);
             let method = prepared.ready.method();
@@ -160,19 +151,17 @@ impl<const C: usize> ScreeningQuestion<C> for SlipAndRotation<C> {
             let end = prepared.turned(&more, base);
             let load = self.at_points(prepared.first, 1.0);
             let there = stiffness.bounds(v, (block, method), (&base.of, &load), &end);
-            // `max` ignores NaN. Adding zero times the first number makes the result NaN if that is NaN.
+            // `max` returns the other number if one is NaN. Adding zero times `one` keeps its NaN, too.
             let larger = |one: X, other: X| one.max(other) + X::all(0.0) * one;
-            turn = larger(dot(&start, &start).sqrt(), dot(&end, &end).sqrt());
             taken = larger(rest.taken, there.taken);
-            drift = larger(rest.drift, there.drift);
+            grown = larger(rest.grown, there.grown);
             arms = larger(rest.arms, there.arms);
         }
         let first = first.as_ref();
         slots.each(X::each(|lane| WhileSticking {
             first: first[lane],
-            turn: turn.lane(lane),
             taken: taken.lane(lane),
-            drift: drift.lane(lane),
+            grown: grown.lane(lane),
             arms: arms.lane(lane),
         }));
     }

@@ -78,11 +78,11 @@ pub struct BindingContact {
 impl<const C: usize> Shakedown<C> {
     /// Whether the grasp comes to rest under this multiple of the loads, in any order. `false` is proved as long as no contact opens. `None` up to
     /// `factor` if slips change normal forces, friction falls or cones are round; [`Grasp::shake`](crate::ask::Grasp::shake) then finds the answer.
-    /// `None` also beyond `factor` if nothing but contacts that open limit it.
+    /// `None` also beyond `factor` if a contact that opens limits it.
     #[must_use]
     pub fn rests(&self, times: f64) -> Option<bool> {
         if times > self.factor {
-            let is_proved = self.binding.is_empty() || self.binding.iter().any(|part| !part.opens);
+            let is_proved = self.binding.iter().all(|part| !part.opens);
             return is_proved.then_some(false);
         }
         let decides = self.slips_change_normal_forces || self.around_the_round_cone || self.friction_falls;
