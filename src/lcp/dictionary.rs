@@ -28,7 +28,7 @@ use super::kernel::{self, Combine, Update, UpdateAndCombine};
 use super::memory::{make_room, refill};
 use super::scaling::Scaling;
 use super::tolerances::{RETIRING_PIVOT, STORED_ROUNDING};
-use crate::numerics::wide;
+use crate::numerics::{amax, wide};
 use crate::prelude::*;
 
 /// One of the 2n + 1 variables of the augmented problem w = q + M z + d z₀: w_i, z_i, or the covering variable z₀.
@@ -356,6 +356,5 @@ pub(super) fn largest(v: &[f64]) -> f64 {
             lanes[lane] = if size > lanes[lane] { size } else { lanes[lane] };
         }
     }
-    let rest = chunks.remainder().iter().fold(0.0_f64, |rest, v| rest.max(v.abs()));
-    lanes.iter().fold(rest, |a, b| if *b > a { *b } else { a })
+    amax(chunks.remainder()).max(amax(&lanes))
 }

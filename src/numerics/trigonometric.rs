@@ -186,7 +186,11 @@ fn roots_of_derivative(p: &[f64; 5], end: f64, into: &mut Roots) {
 }
 
 fn horner(p: &[f64; 5], t: f64) -> f64 {
-    p.iter().rev().fold(0.0, |sum, p| sum * t + p)
+    let mut sum = 0.0;
+    for p in p.iter().rev() {
+        sum = sum * t + p;
+    }
+    sum
 }
 
 /// The root of the polynomial p between `low` and `high`, where it is monotone and changes sign.

@@ -5,7 +5,7 @@
 //! This case is cheap: one factorisation, solved for the base load and for its change, and a ratio test. One more solve at the onset makes the last
 //! digits of its load factor exact. [`super::sticking_path`] handles all other cases.
 
-use nalgebra::{Matrix, SVector};
+use nalgebra::SVector;
 
 use super::onset::{DepartingContact, Onset, OnsetEvent};
 use super::onset_workspace::OnsetMemory;
@@ -17,7 +17,7 @@ use crate::contact::{ActiveSet, Exit, Line, LocalLaw, SpringState};
 use crate::equilibrium::ACCURATE;
 use crate::grasp::{Site, Wrench};
 use crate::numerics::tolerances::NEGLIGIBLE;
-use crate::numerics::{Harmonic, Vector, add_times, cleared_for};
+use crate::numerics::{self, Harmonic, Vector, add_times, cleared_for};
 use crate::object::{ForcesAndTwist, Imbalance};
 use crate::search::{FoundBy, SearchSolution};
 
@@ -189,7 +189,7 @@ fn first_exit(
 ) -> Option<FirstContact> {
     let problem = &segment.problem;
     let largest = problem.largest_force(&base.forces, &base.twist);
-    let fastest = rate.forces.iter().map(Matrix::norm).fold(direction.norm(), f64::max);
+    let fastest = numerics::largest(&rate.forces, &SVector::norm).max(direction.norm());
     let mut first: Option<FirstContact> = None;
     let mut next = f64::INFINITY;
     for (contact, (local, site)) in problem.locals().zip(problem.sites).enumerate() {

@@ -4,7 +4,7 @@
 //! is a piece on which directions of sliding turn. A drive, the spring of a joint or tendon of a hand with its force limit, is treated like a
 //! contact.
 
-use nalgebra::{Matrix, SVector};
+use nalgebra::SVector;
 
 use super::end_of_path::end_of_path;
 use super::event::{Change, LossKind, PathEnd};
@@ -17,7 +17,7 @@ use super::transition::{change, nothing_changes, other_solutions};
 use crate::contact::{ActiveSet, Law, Mode, State, ZERO_SLACK};
 use crate::equilibrium::{ContactState, site_states};
 use crate::numerics::tolerances::NEGLIGIBLE;
-use crate::numerics::{IntoList, any_index, chosen, every_index, moved, numbered};
+use crate::numerics::{IntoList, any_index, chosen, every_index, largest, moved, numbered};
 use crate::object::{ForcesAndTwist, Problem};
 use crate::prelude::*;
 use crate::search::{
@@ -206,7 +206,7 @@ impl Node {
     /// the object moves towards none of them. In all other cases the contacts are opened only if the rate problem still has a solution, in which the
     /// object moves less.
     fn without_dragging(&self, rates: &Problem, found: SearchSolution) -> SearchSolution {
-        let largest = found.forces.iter().map(Matrix::norm).fold(rates.wrench.norm(), f64::max);
+        let largest = largest(&found.forces, &SVector::norm).max(rates.wrench.norm());
         // On the round cone a contact slides along its friction force. If all forces are zero up to rounding, sliding has no direction, and contacts
         // that may open are opened.
         let slides = rates.round && found.twist.norm() > 0.0 && found.states.iter().any(State::slides);
@@ -275,7 +275,7 @@ impl Node {
 /// Changes the state of contacts of `found` from sticking to sliding if their force, on the boundary of the round cone, moves along a tangent of the
 /// cone. A straight tangent leads out of a round cone, so that the contact cannot stick ([`LocalLaw::grazes`](crate::contact::LocalLaw::grazes)).
 fn slide_where_they_graze(rates: &Problem, found: &mut SearchSolution) {
-    let largest = found.forces.iter().map(Matrix::norm).fold(rates.wrench.norm(), f64::max);
+    let largest = largest(&found.forces, &SVector::norm).max(rates.wrench.norm());
     for (i, state) in found.states.iter_mut().enumerate() {
         let (local, rate) = (rates.local(i), &found.forces[i]);
         let size = local.force_size(rate, rates.span(i, &found.twist), largest);

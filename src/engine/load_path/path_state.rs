@@ -3,8 +3,8 @@
 //! A leg is a section of the load program. A piece is a part of a leg with fixed contact states; an arc is a piece on which directions of sliding
 //! turn. At the apex of its cone a contact force is zero.
 
-use crate::numerics::{IntoList, Vector};
-use nalgebra::{Matrix, SVector};
+use crate::numerics::{IntoList, Vector, largest};
+use nalgebra::SVector;
 
 use super::first_exits::ExitsReached;
 use super::node::{Node, directions};
@@ -22,7 +22,7 @@ use crate::search::SearchSolution;
 /// Whether load and all contact forces are at most as large as the force that rounding of the displacements causes in the softest spring. If so,
 /// rounding alone determines which contacts press, and no contact is treated as pressing. In a problem for rates, load, forces and motions are rates.
 pub(super) fn forces_are_rounding(problem: &Problem<'_>, forces: &[SVector<f64, 3>], twist: &Vector) -> bool {
-    let largest = forces.iter().map(Matrix::norm).fold(problem.wrench.norm(), f64::max);
+    let largest = largest(forces, &SVector::norm).max(problem.wrench.norm());
     // `ROUNDED_SUM` is the rounding error of a sum of about sixteen terms, relative to its largest term. Below this fraction of the force that the
     // displacements cause in the softest spring, forces are rounding errors.
     largest <= ROUNDED_SUM * softest_spring_force(problem, twist)

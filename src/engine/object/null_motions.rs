@@ -96,7 +96,13 @@ impl NullMotions {
     /// the LU factors amplify rounding.
     pub(super) fn are_out_of_reach(&self, x: &[f64], load: &Vector, growth: &dyn Fn() -> f64) -> bool {
         self.without_response.iter().any(|(z, stretches)| {
-            let sizes = |a: &[f64], b: &[f64]| a.iter().zip(b).fold(0.0, |sum, (a, b)| sum + (a * b).abs());
+            let sizes = |a: &[f64], b: &[f64]| {
+                let mut sum = 0.0;
+                for (a, b) in a.iter().zip(b) {
+                    sum += (a * b).abs();
+                }
+                sum
+            };
             let known = NO_WORK * (sizes(stretches, x) + sizes(z.as_slice(), load.as_slice()));
             let work = (dot(stretches, x) + z.dot(load)).abs();
             work > known && work > known * growth()

@@ -6,13 +6,14 @@
 //! this contact sticking satisfies every condition, but has no free motion. A force at the limit of friction is on the boundary of the friction cone
 //! (`edge` in code names).
 
-use nalgebra::{Matrix, SVector};
+use nalgebra::SVector;
 
 use super::answer::SearchSolution;
 use super::candidate::{CandidateOutcome, try_states};
 use super::least_motion::at_the_least_motion;
 use crate::contact::{Line, Mode, State, WEIGHTLESS};
 use crate::grasp::Space;
+use crate::numerics::largest;
 use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::object::Problem;
 use crate::prelude::*;
@@ -44,7 +45,7 @@ pub(crate) fn on_the_solution_interval(problem: &Problem, found: SearchSolution)
 /// The contact states of the solution `found`, except that sticking contacts without force open, and sticking contacts on the boundary of their cone
 /// slide. `None` if no contact changes its state.
 fn yielding(problem: &Problem, found: &SearchSolution) -> Option<Vec<State>> {
-    let largest = found.forces.iter().map(Matrix::norm).fold(problem.wrench.norm(), f64::max);
+    let largest = largest(&found.forces, &SVector::norm).max(problem.wrench.norm());
     let mut states = found.states.clone();
     let mut any = false;
     for (i, state) in states.iter_mut().enumerate().filter(|(_, state)| state.is_sticking()) {

@@ -1,6 +1,6 @@
 //! A square matrix over coordinates. The coordinates of a grasp describe the motion of the object, of joints and of further bodies.
 
-use crate::numerics::add_times;
+use crate::numerics::{add_times, amax};
 use core::ops::{Add, AddAssign, Index, IndexMut, Mul};
 
 use nalgebra::SMatrix;
@@ -77,7 +77,7 @@ impl Square {
 
     #[inline]
     pub(crate) fn amax(&self) -> f64 {
-        self.as_slice().iter().fold(0.0, |most: f64, x| if x.abs() > most { x.abs() } else { most })
+        amax(self.as_slice())
     }
 
     pub(crate) fn fill(&mut self, entry: f64) {

@@ -1,6 +1,6 @@
 //! A vector over coordinates. The coordinates of a grasp describe the motion of the object, of joints and of further bodies.
 
-use crate::numerics::{add_times, by_axis};
+use crate::numerics::{add_times, amax, by_axis};
 use core::ops::{Deref, Index, IndexMut};
 
 use nalgebra::SVector;
@@ -132,7 +132,7 @@ impl Vector {
 
     #[inline]
     pub(crate) fn amax(&self) -> f64 {
-        self.iter().fold(0.0, |most: f64, x| if x.abs() > most { x.abs() } else { most })
+        amax(self.as_slice())
     }
 
     pub(crate) fn iamax(&self) -> usize {
@@ -147,7 +147,11 @@ impl Vector {
 
     #[inline]
     pub(crate) fn sum(&self) -> f64 {
-        self.iter().fold(0.0, |sum, x| sum + x)
+        let mut sum = 0.0;
+        for x in self.as_slice() {
+            sum += x;
+        }
+        sum
     }
 
     #[inline]
