@@ -1,8 +1,8 @@
 //! Residuals of an answer: by how much it violates each condition. A finger's offset is its command (a prescribed displacement) minus clearance. A
 //! bonded contact neither opens nor slips. A load path is a sequence of equilibria; an event is a change of contact states at one point of it.
 
-#[cfg(feature = "serde")]
 use crate::numerics;
+#[cfg(feature = "serde")]
 use crate::serial::AsComputed;
 
 /// Relative residuals of an equilibrium; all are zero in exact arithmetic, and usually about 1e-16. No answer with a residual above 1e-10 (1e-12 on
