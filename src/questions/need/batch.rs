@@ -167,7 +167,9 @@ impl BatchNeed {
             let (place, amount) = again[k];
             let [base, load] = row(first + place, contacts);
             if self.quantity == Quantity::Squeeze {
-                contacts.iter_mut().for_each(|contact| contact.squeeze(amount));
+                for contact in contacts {
+                    contact.squeeze(amount);
+                }
                 return [base, load];
             }
             [base, load * amount]
