@@ -18,7 +18,6 @@ use crate::error::Error;
 use crate::grasp::{Contact, Wrench, inside};
 use crate::hold::{Holding, Verdict};
 use crate::load_path::Ramp;
-use crate::numerics::tolerances::NEGLIGIBLE;
 use crate::prelude::*;
 use crate::screening::WhileSticking;
 use crate::search::Settings;
@@ -231,7 +230,7 @@ impl BatchNeed {
         // Forces grow with the squeeze, but stiffness does not, so that a larger squeeze may buckle the grasp.
         let may_buckle = |factor: f64| grasp.engine.may_buckle(&inside(&ramp.load_at(factor)));
         let is_larger = amount > 1.0 && (may_buckle(0.0) || may_buckle(1.0));
-        if farthest * wider * amount <= 1.0 - NEGLIGIBLE && !is_larger {
+        if farthest * wider * amount <= SURELY_SMALL && !is_larger {
             return Ok(Some(amount));
         }
         let enough = grasp.squeezed(amount * (1.0 + BEYOND_STEPS))?.with(&self.settings.with_most_load(1.0));
@@ -245,6 +244,9 @@ impl BatchNeed {
 /// leave are followed to distances at which rounding decides. A row then takes seven times as long. With a smaller factor more rows need the slower
 /// search of [`Grasp::need`].
 const ANY_MOTION: f64 = 1e6;
+/// Motions up to this part of their limits stay within them, although forces that turn with the parts enlarge them. If larger, squeezes seem sufficient
+/// with which parts turn too far; if smaller, more squeezes are tried.
+const SURELY_SMALL: f64 = 0.1;
 /// The largest limit of small motions that settings may have, for the rotation in rad and for the slip as a fraction of the grasp. The squares of
 /// larger limits might overflow.
 const MOST_LIMIT: f64 = 1e50;
