@@ -74,10 +74,10 @@
 //! ```text
 //! $ grasp-lcp need mug.json squeeze --mass 0.4 --at 0.006,0,-0.02
 //! NEEDS 3.49238 N at thumb, 2.01636 N at index and 2.01636 N at middle at rest (0.349228 times the squeeze given), at most 5.89541 times the squeeze given, so that it holds and nothing slides
-//!   if friction is 10 % less and the squeeze is 5 % less: 1.16959 times as much
+//!   if friction is 10 % less and the squeeze is 5 % less: 1.1696 times as much
 //!   with less: TURNS OUT at 3.924 N of 3.924 N: the object turns about thumb, index and middle slide
-//!   with more than 59.68 N at thumb, 34.4568 N at index and 34.4568 N at middle (5.89541 times the squeeze given): BUCKLES at rest already: as the forces turn with the parts they act on, they take all that resists
-//!   tried were 12 amounts from 0.03 to 10 times the squeeze given
+//!   with more than 58.9558 N at thumb, 34.0387 N at index and 34.0387 N at middle at rest (5.89541 times the squeeze given): GOES TOO FAR at 3.924 N of 3.924 N: it turns by more than 5.7°; beyond this, results for small motions no longer apply. CAUTION, left out: as the forces turn with the parts they act on, they take 97 % of what resists, and motions are up to 34 times as large
+//!   tried were 14 amounts from 0.03 to 10 times the squeeze given
 //! ```
 //!
 //! # How far can I tip a bottle before it slips in my hand?

@@ -69,7 +69,8 @@
 //! NEEDS 41.0639 N at palm, 13.688 N at index, 13.688 N at middle and 13.688 N at little (0.684399 times the squeeze given), at most 3.65061 times the squeeze given, so that it comes to rest however often the load is put on
 //!   if friction is 10 % less and the squeeze is 5 % less: 1.16794 times as much
 //!   with less: GOES TOO FAR in a cycle: palm slips by more than 2.5 mm: results for small motions no longer apply
-//!   tried were 11 amounts from 0.05 to 10 times the squeeze given
+//!   with more than 219.036 N at palm, 73.0122 N at index, 73.0122 N at middle and 73.0122 N at little (3.65061 times the squeeze given): GOES TOO FAR in a cycle: it turns by more than 5.7°: results for small motions no longer apply
+//!   tried were 18 amounts from 0.05 to 10 times the squeeze given
 //! ```
 //!
 //! # Could it come to rest at all?

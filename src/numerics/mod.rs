@@ -39,6 +39,7 @@
 //! | `pseudo_random` | reproducible pseudorandom numbers |
 //! | `square_root` | the square root of std under another name |
 //! | `mapped` | lists, sums and extremes over lists or index ranges |
+//! | `reals` | sums and extremes of the numbers of an iterator |
 //! | `add_times` | sums and products of lists, in place |
 //! | `cleared_for` | emptying of lists before they are filled again |
 //! | `memory` | scratch buffers that one question leaves for the next |

@@ -31,8 +31,8 @@ use crate::words::LinkKind;
 
 impl Engine {
     /// The fraction [`Verdict::left_out`](crate::hold::Verdict::left_out) of the resistance that geometric stiffness adds or takes away in the
-    /// equilibrium `there`. Without the equilibrium `rest`, from which only the load has changed, only what forces take in `there` counts. `None` if `there` is said to
-    /// buckle or to turn over.
+    /// equilibrium `there`. Without the equilibrium `rest`, from which only the load has changed, only what forces take in `there` counts. `None` if
+    /// `there` buckles or turns over.
     pub(crate) fn left_out_between(
         &self,
         rest: Option<&Equilibrium<3>>,

@@ -2,8 +2,9 @@
 //!
 //! With an exact rotation R of its body the arm r of a force becomes R r, and cables and springs between two points turn with their ends. The
 //! displacement u of a contact is then no longer linear in the coordinates q of the bodies. Its force is `F = F_0 - K u`, with the stiffness matrix K
-//! of the contact in its state and the force F_0 without a motion. A closed contact opens if it has to pull; an open one stays open. Joints of a hand move their contacts to first order. Positions between those of small
-//! motions and those with exact rotations have a share m of exact rotations, with `u = (1 - m) Gᵀq + m u(R)` and the grasp map G.
+//! of the contact in its state and the force F_0 without a motion. A closed contact opens if it has to pull; an open one stays open.
+//! Joints of a hand move their contacts to first order. Positions between those of small motions and those with exact rotations have a share m of
+//! exact rotations, with `u = (1 - m) Gᵀq + m u(R)` and the grasp map G.
 
 use nalgebra::{SMatrix, SVector};
 
